@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Finds VTK and builds the toolkit's VTK modules, in the order of the floor plan. A folder is a module when it has a
+# vtk.module and a CMakeLists.txt.
+set(mt_module_files)
+foreach (folder IN ITEMS Module Filters/Partition Filters/Simplification Filters/Construction IO Rendering/Cut
+    Rendering/OpenGL2)
+  if (EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
+    list(APPEND mt_module_files "${CMAKE_SOURCE_DIR}/${folder}/vtk.module")
+  endif ()
+endforeach ()
+
+# VTK's components: what the vtk.module files name, and what the command, the examples, the tests and Python add. What
+# is linked must be named here or there, or CMake complains of targets that nobody has found (MPI::MPI_C).
+set(mt_vtk_components
+  CommonColor CommonSystem FiltersCore FiltersGeneral FiltersSources IOImage InteractionStyle RenderingAnnotation
+  RenderingFreeType RenderingLOD RenderingUI TestingCore TestingRendering)
+if (MT_WRAP_PYTHON)
+  list(APPEND mt_vtk_components Python WrappingPythonCore)
+endif ()
+foreach (file IN LISTS mt_module_files)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  file(STRINGS "${file}" lines REGEX "^ *VTK::")
+  foreach (line IN LISTS lines)
+    string(REGEX REPLACE "^ *VTK::([A-Za-z0-9]+).*$" "\\1" component "${line}")
+    list(APPEND mt_vtk_components "${component}")
+  endforeach ()
+endforeach ()
+list(REMOVE_DUPLICATES mt_vtk_components)
+list(SORT mt_vtk_components)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${mt_vtk_components})
+
+set(MT_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/multitriangulation")
+vtk_module_scan(
+  MODULE_FILES ${mt_module_files}
+  PROVIDES_MODULES mt_modules
+  WANT_BY_DEFAULT ON
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${mt_modules}
+  PACKAGE MultiTriangulation
+  INSTALL_EXPORT MultiTriangulation
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/multitriangulation"
+  CMAKE_DESTINATION "${MT_CMAKE_DESTINATION}"
+  USE_EXTERNAL OFF)

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# One function for each kind of test.
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# Programs that open a render window run under Xvfb, always: pictures must not depend on the display of whoever tests.
+set(MT_WITH_DISPLAY "${CMAKE_SOURCE_DIR}/CMake/with-display")
+
+# What tests write goes here.
+set(MT_TEST_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Temporary")
+file(MAKE_DIRECTORY "${MT_TEST_OUTPUT_DIRECTORY}")
+
+# Builds all unit tests that need no render window: what the sanitizer presets build.
+add_custom_target(mt_unit_tests)
+
+# mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
+# One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under Xvfb. The program
+# sees MT_SOURCE_DIRECTORY and MT_TEST_OUTPUT_DIRECTORY as string literals.
+function (mt_add_unit_test layer)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LINK")
+  if (arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
+    message(FATAL_ERROR "mt_add_unit_test(${layer}): SOURCES missing or unknown arguments '${arg_UNPARSED_ARGUMENTS}'")
+  endif ()
+  set(target test_${layer})
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main)
+  target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/Testing/Common")
+  target_compile_definitions(${target} PRIVATE
+    "MT_SOURCE_DIRECTORY=\"${CMAKE_SOURCE_DIR}\""
+    "MT_TEST_OUTPUT_DIRECTORY=\"${MT_TEST_OUTPUT_DIRECTORY}\"")
+  set(modules ${arg_LINK})
+  list(FILTER modules INCLUDE REGEX "^(VTK|MultiTriangulation)::")
+  if (modules)
+    vtk_module_autoinit(TARGETS ${target} MODULES ${modules})
+  endif ()
+  if (arg_DISPLAY)
+    # gtest_discover_tests starts the program through this, when it asks for its tests and when it runs them.
+    set_property(TARGET ${target} PROPERTY CROSSCOMPILING_EMULATOR "${MT_WITH_DISPLAY}")
+  else ()
+    add_dependencies(mt_unit_tests ${target})
+  endif ()
+  gtest_discover_tests(${target}
+    DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS ${layer} TIMEOUT 900)
+endfunction ()
+
+# mt_add_script_test(<name> LABEL <label> COMMAND <command...>)
+# A test that is a script: the command succeeds or fails.
+function (mt_add_script_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "LABEL" "COMMAND")
+  if (arg_UNPARSED_ARGUMENTS OR NOT arg_COMMAND OR NOT arg_LABEL)
+    message(FATAL_ERROR "mt_add_script_test(${name}): LABEL or COMMAND missing, or unknown '${arg_UNPARSED_ARGUMENTS}'")
+  endif ()
+  if (arg_DISPLAY)
+    list(PREPEND arg_COMMAND "${MT_WITH_DISPLAY}")
+  endif ()
+  add_test(NAME ${name} COMMAND ${arg_COMMAND})
+  set_tests_properties(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 900)
+endfunction ()
