@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The check of the floors is checked: each kind of violation, planted in a small tree, is found."""
+import tempfile
+import unittest
+from pathlib import Path
+
+import check_floors
+
+
+class PlantedViolations(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = Path(self.folder.name)
+        self.write("Module/vtk.module", "NAME\n  MultiTriangulation::MTCore\nDEPENDS\n  VTK::CommonCore\n")
+        self.write("Module/vtkMTGraph.h", '#include "vtkMTCoreModule.h"\n#include <vector>\n')
+        self.write("IO/vtk.module", "NAME\n  MultiTriangulation::MTIO\nDEPENDS\n  MultiTriangulation::MTCore\n  VTK::IOCore\n")
+        self.write("IO/vtkMTFile.h", '#include "vtkMTGraph.h"\n')
+        self.write("IO/vtkMTFile.cxx", '#include "vtkMTFile.h"\n#include "vtkMTCoreModule.h"\n')
+        self.write("Filters/Partition/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\n")
+        self.write("Applications/main.cxx", '#include "vtkMTFile.h"\n')
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, name, text):
+        file = self.root / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def assert_one_violation(self, *words):
+        violations, _ = check_floors.check(self.root)
+        self.assertEqual(len(violations), 1, violations)
+        for word in words:
+            self.assertIn(word, violations[0])
+
+    def test_clean_tree_has_none(self):
+        violations, counts = check_floors.check(self.root)
+        self.assertEqual(violations, [])
+        self.assertEqual(counts, (3, 4, 6))
+
+    def test_include_of_a_forbidden_floor_is_found(self):
+        self.write("Filters/Partition/vtkMTSeeds.cxx", '// comment\n#include "vtkMTFile.h"\n')
+        self.assert_one_violation("Filters/Partition/vtkMTSeeds.cxx:2", "must not include vtkMTFile.h of IO")
+
+    def test_include_with_blanks_and_angle_brackets_is_found(self):
+        self.write("Filters/Partition/vtkMTSeeds.cxx", "  #  include <vtkMTFile.h>\n")
+        self.assert_one_violation("must not include vtkMTFile.h of IO")
+
+    def test_floor_zero_includes_no_other_floor(self):
+        self.write("Module/vtkMTCut.cxx", '#include "vtkMTIOModule.h"\n')
+        self.assert_one_violation("Module must not include vtkMTIOModule.h of IO")
+
+    def test_depends_on_a_forbidden_module_is_found(self):
+        self.write("Filters/Partition/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\nPRIVATE_DEPENDS\n  MultiTriangulation::MTIO\n")
+        self.assert_one_violation("Filters/Partition/vtk.module", "MultiTriangulation::MTIO")
+
+    def test_rendering_in_a_filter_is_found(self):
+        self.write("Filters/Partition/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\n  VTK::RenderingCore\n")
+        self.assert_one_violation("VTK::RenderingCore")
+
+    def test_cgal_outside_simplification_is_found(self):
+        self.write("Applications/extra.cxx", "#include <CGAL/Surface_mesh.h>\n")
+        self.assert_one_violation("Applications/extra.cxx:1", "CGAL")
+
+    def test_cgal_in_simplification_is_allowed(self):
+        self.write("Filters/Simplification/vtkMTEdgeCollapse.cxx", "#include <CGAL/Surface_mesh.h>\n")
+        self.assertEqual(check_floors.check(self.root)[0], [])
+
+    def test_opengl_in_the_cut_is_found(self):
+        self.write("Rendering/Cut/vtkMTCache.cxx", '#include "vtkOpenGLPolyDataMapper.h"\n')
+        self.assert_one_violation("OpenGL")
+
+    def test_include_without_depends_is_found(self):
+        self.write("Filters/Partition/vtk.module", "DEPENDS\n  VTK::CommonCore\n")
+        self.write("Filters/Partition/vtkMTSeeds.cxx", '#include "vtkMTGraph.h"\n')
+        self.assert_one_violation("vtk.module does not name MTCore")
+
+    def test_module_outside_the_plan_is_found(self):
+        self.write("Filters/Extra/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\n")
+        self.assert_one_violation("Filters/Extra/vtk.module")
+
+    def test_the_command_fails_on_a_violation_and_on_an_empty_tree(self):
+        self.assertEqual(check_floors.main([str(self.root)]), 0)
+        self.write("Module/vtkMTCut.cxx", '#include "vtkMTIOModule.h"\n')
+        self.assertEqual(check_floors.main([str(self.root)]), 1)
+        with tempfile.TemporaryDirectory() as empty:
+            self.assertEqual(check_floors.main([empty]), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
