@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTFileSink.h"
+
+#include "vtkMTFileDag.h"
+#include "vtkMTGraph.h"
+#include "vtkMTOutputFile.h"
+#include "vtkMTPatchCodec.h"
+#include "vtkMTTemporaryFile.h"
+
+#include <array>
+#include <new>
+
+using vtkMTFileFormat::Align;
+using vtkMTFileFormat::SectionRecord;
+
+struct vtkMTFileSink::Internals
+{
+  std::string Path;
+  std::vector<vtkMTArrayInfo> Arrays;
+  vtkMTTemporaryFile Spool;
+  std::vector<SectionRecord> Sections;                // of the patches in the order of writing; offsets in the spool
+  std::vector<std::array<std::uint32_t, 4>> Counts;   // points, wedges, triangles, shared points of each patch
+  std::vector<unsigned char> Bytes;                   // of the patch in hand
+  std::vector<SectionRecord> PatchSections;
+  std::uint64_t FileSize = 0;
+
+  std::size_t SectionsPerPatch() const { return this->Arrays.size() + 1; }
+
+  void Forget()
+  {
+    this->Spool.Close();
+    this->Sections = {};
+    this->Counts = {};
+    this->Bytes = {};
+    this->PatchSections = {};
+  }
+
+  bool Append(const vtkMTPatch& patch, std::string& error)
+  {
+    if (!vtkMTPatchCodec::Encode(patch, this->Arrays, this->Bytes, this->PatchSections, error))
+    {
+      error = this->Path + ": patch " + std::to_string(this->Counts.size()) + " " + error;
+      return false;
+    }
+    const std::uint64_t begin = this->Spool.GetSize();
+    if (!this->Spool.Append(this->Bytes.data(), this->Bytes.size()))
+    {
+      error = this->Path + ": " + this->Spool.GetError();
+      return false;
+    }
+    for (SectionRecord& section : this->PatchSections)
+    {
+      section.Offset += begin;
+      this->Sections.push_back(section);
+    }
+    this->Counts.push_back({ static_cast<std::uint32_t>(patch.Points.size()),
+      static_cast<std::uint32_t>(patch.GetNumberOfWedges()), static_cast<std::uint32_t>(patch.Triangles.size()),
+      static_cast<std::uint32_t>(patch.Ids.size()) });
+    return true;
+  }
+
+  bool Check(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc, std::string& error) const
+  {
+    if (!vtkMTFileDag::Check(graph, error))
+    {
+      return false;
+    }
+    if (!(graph.Arrays == this->Arrays))
+    {
+      error = "the graph's arrays are not those that were announced";
+      return false;
+    }
+    std::vector<bool> used(this->Counts.size());
+    for (std::size_t arc = 0; arc < patchOfArc.size() && arc < graph.Arcs.size(); ++arc)
+    {
+      const std::uint32_t patch = patchOfArc[arc];
+      const vtkMTArc& record = graph.Arcs[arc];
+      if (patch >= used.size() || used[patch] ||
+        this->Counts[patch] !=
+          std::array<std::uint32_t, 4>{ record.Points, record.Wedges, record.Triangles, record.SharedPoints })
+      {
+        error = "arc " + std::to_string(arc) + " does not describe the patch that was written for it";
+        return false;
+      }
+      used[patch] = true;
+    }
+    if (patchOfArc.size() != graph.Arcs.size() || used.size() != graph.Arcs.size())
+    {
+      error = std::to_string(used.size()) + " patches were written for " + std::to_string(graph.Arcs.size()) + " arcs";
+      return false;
+    }
+    return true;
+  }
+
+  std::vector<SectionRecord> MakeDirectory(const std::vector<std::uint32_t>& patchOfArc) const
+  {
+    std::vector<SectionRecord> directory;
+    directory.reserve(this->Sections.size());
+    for (const std::uint32_t patch : patchOfArc)
+    {
+      const auto first = this->Sections.begin() + static_cast<std::ptrdiff_t>(patch * this->SectionsPerPatch());
+      directory.insert(directory.end(), first, first + static_cast<std::ptrdiff_t>(this->SectionsPerPatch()));
+    }
+    return directory;
+  }
+
+  // A disk may give back other bytes than it was given: what goes into the file is checked on the way.
+  bool CopyPatch(std::uint32_t patch, vtkMTOutputFile& output, std::string& error)
+  {
+    const SectionRecord* sections = &this->Sections[patch * this->SectionsPerPatch()];
+    const SectionRecord& last = sections[this->SectionsPerPatch() - 1];
+    this->Bytes.resize(static_cast<std::size_t>(last.Offset + Align(last.StoredSize) - sections[0].Offset));
+    if (!this->Spool.Read(sections[0].Offset, this->Bytes.size(), this->Bytes.data()))
+    {
+      error = this->Spool.GetError();
+      return false;
+    }
+    for (std::size_t i = 0; i < this->SectionsPerPatch(); ++i)
+    {
+      if (!vtkMTPatchCodec::Check(sections[i], this->Bytes.data() + (sections[i].Offset - sections[0].Offset), error))
+      {
+        error = "the temporary file " + error;
+        return false;
+      }
+    }
+    if (!output.Write(this->Bytes.data(), this->Bytes.size()))
+    {
+      error = output.GetError();
+      return false;
+    }
+    return true;
+  }
+
+  bool WriteFile(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc, std::string& error)
+  {
+    std::vector<SectionRecord> directory = this->MakeDirectory(patchOfArc);
+    std::vector<unsigned char> head;
+    vtkMTFileDag::Encode(graph, directory, head);
+    vtkMTOutputFile output;
+    if (!output.Open(this->Path) || !output.Write(head.data(), head.size()))
+    {
+      error = output.GetError();
+      return false;
+    }
+    head = {};
+    for (const std::uint32_t patch : patchOfArc)
+    {
+      if (!this->CopyPatch(patch, output, error))
+      {
+        return false;
+      }
+    }
+    this->FileSize = output.GetBytesWritten();
+    error = output.Commit() ? "" : output.GetError();
+    return error.empty();
+  }
+};
+
+vtkMTFileSink::vtkMTFileSink(const std::string& path)
+  : Implementation(new Internals)
+{
+  this->Implementation->Path = path;
+}
+
+vtkMTFileSink::~vtkMTFileSink() = default;
+
+bool vtkMTFileSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
+{
+  Internals& own = *this->Implementation;
+  own.Forget();
+  own.Arrays = arrays;
+  own.FileSize = 0;
+  this->Error.clear();
+  for (const vtkMTArrayInfo& array : arrays)
+  {
+    if (array.GetTupleSize() == 0)
+    {
+      this->Error = own.Path + ": array \"" + array.Name + "\" is of a type that cannot be stored";
+      return false;
+    }
+  }
+  // Asked now and not after hours of building: whether the output can be made at all.
+  vtkMTOutputFile attempt;
+  if (!attempt.Open(own.Path) || !own.Spool.OpenBeside(own.Path))
+  {
+    this->Error = attempt.IsOpen() ? own.Path + ": " + own.Spool.GetError() : attempt.GetError();
+    return false;
+  }
+  return true;
+}
+
+bool vtkMTFileSink::WritePatch(vtkMTPatch&& patch)
+{
+  Internals& own = *this->Implementation;
+  if (!own.Spool.IsOpen())
+  {
+    this->Error = this->Error.empty() ? own.Path + ": a patch was written before Begin" : this->Error;
+    return false;
+  }
+  try
+  {
+    if (own.Append(patch, this->Error))
+    {
+      patch = vtkMTPatch();
+      return true;
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Error = own.Path + ": there is not enough memory";
+  }
+  own.Forget();
+  return false;
+}
+
+bool vtkMTFileSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)
+{
+  Internals& own = *this->Implementation;
+  if (!own.Spool.IsOpen())
+  {
+    this->Error = this->Error.empty() ? own.Path + ": the model was finished before Begin" : this->Error;
+    return false;
+  }
+  bool done = false;
+  try
+  {
+    std::string reason;
+    const bool consistent = own.Check(graph, patchOfArc, reason);
+    done = consistent && own.WriteFile(graph, patchOfArc, reason);
+    this->Error = done ? "" : consistent ? reason : own.Path + ": " + reason;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Error = own.Path + ": there is not enough memory";
+  }
+  own.Forget();
+  return done;
+}
+
+void vtkMTFileSink::Abandon()
+{
+  this->Implementation->Forget();
+}
+
+std::uint64_t vtkMTFileSink::GetFileSize() const
+{
+  return this->Implementation->FileSize;
+}

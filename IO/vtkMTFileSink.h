@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTFileSink
+ * @brief a patch sink that makes a Multi-Triangulation file
+ *
+ * Patches come finest first and lie in the file coarsest first, after the DAG, which is known last. So WritePatch appends
+ * each one, encoded, to a nameless temporary file in the output's folder, and Finish copies them in arc order behind header
+ * and DAG into a file that is published whole (vtkMTOutputFile). What stays in memory is one directory entry per section
+ * and the patch in hand. The disk must have room for the model twice while Finish runs.
+ *
+ * The bytes depend on the patches and the graph alone.
+ */
+#ifndef vtkMTFileSink_h
+#define vtkMTFileSink_h
+
+#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTPatchSink.h"
+
+#include <memory>
+#include <string>
+
+class VTKMTIO_EXPORT vtkMTFileSink : public vtkMTPatchSink
+{
+public:
+  explicit vtkMTFileSink(const std::string& path);
+  /// A model that was not finished is abandoned.
+  ~vtkMTFileSink() override;
+
+  bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
+  bool WritePatch(vtkMTPatch&& patch) override;
+  bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) override;
+  void Abandon() override;
+
+  /// Bytes of the file that Finish has made.
+  std::uint64_t GetFileSize() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+};
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTFileSource
+ * @brief a Multi-Triangulation file as a patch source
+ *
+ * Open reads header and DAG, checks their checksums and every length, offset, index and count in them, and keeps them in
+ * memory; patches are read when they are asked for, by one positioned read for each run of neighbouring sections, and
+ * the checksum of each section is verified then. Only the sections of the arrays that are asked for are read. The layout is
+ * in Documentation/file-format.md.
+ *
+ * Threads: after Open, all const members may be called from any number of threads at once.
+ */
+#ifndef vtkMTFileSource_h
+#define vtkMTFileSource_h
+
+#include "vtkMTGraph.h"
+#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTPatchSource.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkMTByteSource;
+
+class VTKMTIO_EXPORT vtkMTFileSource : public vtkMTPatchSource
+{
+public:
+  vtkMTFileSource();
+  ~vtkMTFileSource() override;
+
+  ///@{
+  /// False, with the reason in error, when the file is missing, of a newer version, damaged or no Multi-Triangulation;
+  /// the source is then empty and may be opened again.
+  bool Open(const std::string& path, std::string& error);
+  bool Open(std::shared_ptr<const vtkMTByteSource> bytes, std::string& error);
+  ///@}
+
+  /// Whether the file begins as a Multi-Triangulation file does, of whatever version.
+  static bool CanRead(const std::string& path);
+
+  const vtkMTGraph& GetGraph() const override { return this->Graph; }
+  bool ReadPatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch,
+    std::string& error) const override;
+  std::uint64_t GetPatchSize(std::uint32_t arc) const override;
+  std::string GetName() const override;
+
+  /// Bytes of the whole file; 0 when none is open.
+  std::uint64_t GetFileSize() const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Implementation;
+  vtkMTGraph Graph;
+};
+
+#endif

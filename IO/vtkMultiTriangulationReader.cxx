@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMultiTriangulationReader.h"
+
+#include "vtkMTFileByteSource.h"
+#include "vtkMTFileSource.h"
+#include "vtkMultiTriangulation.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <vtksys/SystemTools.hxx>
+
+vtkStandardNewMacro(vtkMultiTriangulationReader);
+
+vtkMultiTriangulationReader::vtkMultiTriangulationReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMultiTriangulationReader::~vtkMultiTriangulationReader()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkMultiTriangulationReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
+
+int vtkMultiTriangulationReader::CanReadFile(const char* fileName)
+{
+  return fileName && vtkMTFileSource::CanRead(fileName) ? 1 : 0;
+}
+
+vtkMultiTriangulation* vtkMultiTriangulationReader::GetOutput()
+{
+  return vtkMultiTriangulation::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkMultiTriangulationReader::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkMultiTriangulation");
+  return 1;
+}
+
+vtkTypeBool vtkMultiTriangulationReader::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(request, inputVector, outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+int vtkMultiTriangulationReader::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (!vtkMultiTriangulation::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
+  {
+    vtkNew<vtkMultiTriangulation> output;
+    info->Set(vtkDataObject::DATA_OBJECT(), output);
+  }
+  return 1;
+}
+
+int vtkMultiTriangulationReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector);
+  output->Initialize();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("no file name given");
+    return 0;
+  }
+  std::string error;
+  const auto source = std::make_shared<vtkMTFileSource>();
+  if (!source->Open(this->FileName, error))
+  {
+    const bool exists = vtksys::SystemTools::PathExists(this->FileName);
+    const bool opens = vtkMTFileByteSource::Open(this->FileName, error) != nullptr;
+    this->SetErrorCode(!exists ? vtkErrorCode::FileNotFoundError
+        : !opens               ? vtkErrorCode::CannotOpenFileError
+        : vtkMTFileSource::CanRead(this->FileName) ? vtkErrorCode::FileFormatError
+                                                   : vtkErrorCode::UnrecognizedFileTypeError);
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  if (!output->SetSource(source))
+  {
+    output->Initialize();
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< this->FileName << ": the coarsest patches cannot be read");
+    return 0;
+  }
+  return 1;
+}

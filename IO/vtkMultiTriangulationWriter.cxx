@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMultiTriangulationWriter.h"
+
+#include "vtkMTFileSink.h"
+#include "vtkMTGraph.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMultiTriangulation.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+
+#include <numeric>
+
+vtkStandardNewMacro(vtkMultiTriangulationWriter);
+
+vtkMultiTriangulationWriter::vtkMultiTriangulationWriter() = default;
+
+vtkMultiTriangulationWriter::~vtkMultiTriangulationWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+void vtkMultiTriangulationWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
+
+int vtkMultiTriangulationWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Any polydata, so that the one without patches gets a message that says what is missing.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+void vtkMultiTriangulationWriter::WriteData()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("no file name given");
+    return;
+  }
+  vtkMultiTriangulation* input = vtkMultiTriangulation::SafeDownCast(this->GetInput());
+  const std::shared_ptr<const vtkMTPatchSource> source = input ? input->GetSource() : nullptr;
+  if (!source)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< this->FileName << ": the input has no patches to write: it is "
+                  << (input ? "an empty Multi-Triangulation" : "plain polydata, from which vtkMultiTriangulationBuilder makes a "
+                                                               "Multi-Triangulation"));
+    return;
+  }
+  this->WritePatches(*source);
+}
+
+void vtkMultiTriangulationWriter::WritePatches(const vtkMTPatchSource& source)
+{
+  const vtkMTGraph& graph = source.GetGraph();
+  vtkMTFileSink sink(this->FileName);
+  if (!sink.Begin(graph.Arrays))
+  {
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< sink.GetError());
+    return;
+  }
+  for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+  {
+    vtkMTPatch patch;
+    std::string error;
+    if (!source.ReadPatch(arc, nullptr, patch, error))
+    {
+      this->SetErrorCode(vtkErrorCode::FileFormatError);
+      vtkErrorMacro(<< error);
+      return;
+    }
+    if (!sink.WritePatch(std::move(patch)))
+    {
+      this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
+      vtkErrorMacro(<< sink.GetError());
+      return;
+    }
+  }
+  std::vector<std::uint32_t> patchOfArc(graph.Arcs.size());
+  std::iota(patchOfArc.begin(), patchOfArc.end(), 0u);
+  if (!sink.Finish(graph, patchOfArc))
+  {
+    this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
+    vtkErrorMacro(<< sink.GetError());
+  }
+}
