@@ -1,10 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Finds VTK and builds the toolkit's VTK modules, in the order of the floor plan. A folder is a module when it has a
-# vtk.module and a CMakeLists.txt.
+# vtk.module and a CMakeLists.txt, and when the modules that it names are there.
 set(mt_module_files)
+set(mt_present)
 foreach (folder IN ITEMS Module Filters/Partition Filters/Simplification Filters/Construction IO Rendering/Cut
     Rendering/OpenGL2)
-  if (EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
+  if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
+    continue ()
+  endif ()
+  file(STRINGS "${CMAKE_SOURCE_DIR}/${folder}/vtk.module" names REGEX "^ *MultiTriangulation::")
+  list(TRANSFORM names STRIP)
+  list(POP_FRONT names name)
+  list(REMOVE_ITEM names ${mt_present} "")
+  if (names)
+    message(WARNING "${folder} is left out: no ${names}")
+  else ()
+    list(APPEND mt_present ${name})
     list(APPEND mt_module_files "${CMAKE_SOURCE_DIR}/${folder}/vtk.module")
   endif ()
 endforeach ()
