@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTCut
+ * @brief a cut of the DAG: a set of arcs, one on every path from source to sink, closed under dependency
+ *
+ * A cut is kept as the set of refined nodes: an arc is in the cut when the node that it leaves is refined and the node
+ * that it enters is not. The source is always refined, the sink never. The set is closed: when a node is refined, all
+ * nodes that it depends on (those which the arcs entering it leave) are refined too. The patches of the arcs in the cut
+ * form one conforming mesh (BMT section 3.1).
+ */
+#ifndef vtkMTCut_h
+#define vtkMTCut_h
+
+#include "vtkMTCoreModule.h" // For export macro
+
+#include <cstdint>
+#include <vector>
+
+class vtkMTGraph;
+
+class VTKMTCORE_EXPORT vtkMTCut
+{
+public:
+  /// The coarsest cut. The graph must outlive the cut.
+  explicit vtkMTCut(const vtkMTGraph& graph);
+
+  bool IsRefined(std::uint32_t node) const { return this->Refined[node] != 0; }
+  bool Contains(std::uint32_t arc) const;
+
+  /// Whether all arcs that enter the node are in the cut, so that Refine may be called. Never for the sink.
+  bool CanRefine(std::uint32_t node) const;
+  /// Replaces the arcs that enter the node by those that leave it. False, and nothing done, unless CanRefine.
+  bool Refine(std::uint32_t node);
+  /// Refines the node and, before it, all unrefined nodes that it depends on. Gives the number of nodes refined.
+  std::size_t RefineWithDependencies(std::uint32_t node);
+
+  /// Whether all arcs that leave the node are in the cut. Never for the source.
+  bool CanCoarsen(std::uint32_t node) const;
+  bool Coarsen(std::uint32_t node);
+
+  std::vector<std::uint32_t> GetArcs() const;
+  std::uint64_t GetNumberOfTriangles() const { return this->Triangles; }
+  std::size_t GetNumberOfArcs() const { return this->ArcCount; }
+  /// The largest saturated error of an arc in the cut: no input point is farther from the cut than this.
+  double GetError() const;
+
+private:
+  const vtkMTGraph* Graph;
+  std::vector<unsigned char> Refined; // per node
+  std::uint64_t Triangles = 0;
+  std::size_t ArcCount = 0;
+};
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+//------------------------------------------------------------------------------
+vtkMTBox vtkMTPatch::GetBox() const
+{
+  constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
+  vtkMTBox box{ highest, lowest, highest, lowest, highest, lowest };
+  for (const vtkMTTriangle& triangle : this->Triangles)
+  {
+    for (std::uint32_t wedge : triangle)
+    {
+      const vtkMTPoint& p = this->Points[this->GetPointOfWedge(wedge)];
+      for (int i = 0; i < 3; ++i)
+      {
+        box[2 * i] = std::min(box[2 * i], p[i]);
+        box[2 * i + 1] = std::max(box[2 * i + 1], p[i]);
+      }
+    }
+  }
+  return this->Triangles.empty() ? vtkMTBox{ 0, -1, 0, -1, 0, -1 } : box;
+}
+
+//------------------------------------------------------------------------------
+double vtkMTPatch::GetMeanEdgeLength() const
+{
+  double sum = 0.0;
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    const vtkMTTriangle points = this->GetPointsOfTriangle(t);
+    for (int i = 0; i < 3; ++i)
+    {
+      const vtkMTPoint& a = this->Points[points[i]];
+      const vtkMTPoint& b = this->Points[points[(i + 1) % 3]];
+      const double d[3] = { static_cast<double>(a[0]) - b[0], static_cast<double>(a[1]) - b[1],
+        static_cast<double>(a[2]) - b[2] };
+      sum += std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    }
+  }
+  return this->Triangles.empty() ? 0.0 : sum / (3.0 * static_cast<double>(this->Triangles.size()));
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkMTPatch::GetMemorySize() const
+{
+  std::size_t size = this->Points.size() * sizeof(vtkMTPoint) + this->Ids.size() * sizeof(std::uint64_t) +
+    this->WedgePoints.size() * sizeof(std::uint32_t) + this->Triangles.size() * sizeof(vtkMTTriangle);
+  for (const vtkMTColumn& column : this->PointColumns)
+  {
+    size += column.size();
+  }
+  for (const vtkMTColumn& column : this->CellColumns)
+  {
+    size += column.size();
+  }
+  return size;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPatchSink
+ * @brief where the builder puts patches: a file writer, a store in memory
+ *
+ * The builder calls Begin once, then WritePatch for patch 0, 1, 2 ... in an order that depends on the input and the
+ * settings alone (finest level first), then Finish with the finished graph, whose arc i carries the patch that was
+ * written as number patchOfArc[i]; or Abandon, after which nothing of the model must remain. A sink publishes its model whole in Finish or not
+ * at all. All calls come from one thread.
+ */
+#ifndef vtkMTPatchSink_h
+#define vtkMTPatchSink_h
+
+#include "vtkMTCoreModule.h" // For export macro
+#include "vtkMTPatch.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkMTGraph;
+
+class VTKMTCORE_EXPORT vtkMTPatchSink
+{
+public:
+  virtual ~vtkMTPatchSink();
+
+  /// arrays: what the columns of all patches are. False on failure, with a message in GetError.
+  virtual bool Begin(const std::vector<vtkMTArrayInfo>& arrays) = 0;
+  virtual bool WritePatch(vtkMTPatch&& patch) = 0;
+  virtual bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) = 0;
+  virtual void Abandon() = 0;
+
+  const std::string& GetError() const { return this->Error; }
+
+protected:
+  std::string Error;
+};
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPatchSource
+ * @brief where patches come from: a file, a store in memory, a server
+ *
+ * The waist of the hourglass: cut extraction, cache, mapper, extraction to a mesh and verification know a Multi-Triangulation
+ * through this class only. It is no vtkObject: loader threads use it.
+ *
+ * Threads: GetGraph and ReadPatch may be called from any number of threads at once.
+ */
+#ifndef vtkMTPatchSource_h
+#define vtkMTPatchSource_h
+
+#include "vtkMTCoreModule.h" // For export macro
+#include "vtkMTPatch.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkMTGraph;
+
+class VTKMTCORE_EXPORT vtkMTPatchSource
+{
+public:
+  virtual ~vtkMTPatchSource();
+
+  virtual const vtkMTGraph& GetGraph() const = 0;
+
+  /**
+   * Reads one arc's patch. arrays, when given, has one entry per array of the graph: 0 leaves that array's column
+   * empty; nullptr reads all. False on failure: then error says what failed and where, and patch is empty.
+   */
+  virtual bool ReadPatch(
+    std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const = 0;
+
+  /// Bytes that reading the arc's patch with all arrays takes from the store; an estimate for budgets.
+  virtual std::uint64_t GetPatchSize(std::uint32_t arc) const = 0;
+
+  /// For messages: a file name, "memory".
+  virtual std::string GetName() const = 0;
+};
+
+#endif

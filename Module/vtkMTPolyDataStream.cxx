@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPolyDataStream.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace
+{
+constexpr std::size_t BlockSize = 8192;
+
+using Triangle = std::array<std::uint64_t, 3>;
+
+//------------------------------------------------------------------------------
+// An array whose values lie in one block of memory, tuple by tuple.
+struct Column
+{
+  vtkSmartPointer<vtkDataArray> Array;
+  std::size_t TupleSize = 0;
+
+  void Append(vtkIdType tuple, vtkMTColumn& to) const
+  {
+    const unsigned char* from =
+      static_cast<const unsigned char*>(this->Array->GetVoidPointer(0)) + tuple * this->TupleSize;
+    to.insert(to.end(), from, from + this->TupleSize);
+  }
+};
+
+//------------------------------------------------------------------------------
+int FindAttribute(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
+{
+  for (int i = 0; i < vtkDataSetAttributes::NUM_ATTRIBUTES; ++i)
+  {
+    if (attributes->GetAbstractAttribute(i) == array)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
+bool IsDirection(const vtkMTArrayInfo& info)
+{
+  const bool real = info.Type == VTK_FLOAT || info.Type == VTK_DOUBLE;
+  const bool named = info.Name == "Normals" || info.Name == "NORMAL";
+  return real && info.Components == 3 && (named || info.Attribute == vtkDataSetAttributes::NORMALS);
+}
+
+//------------------------------------------------------------------------------
+vtkMTArrayInfo::ResamplingType ChooseResampling(const vtkMTArrayInfo& info)
+{
+  const bool id =
+    info.Attribute == vtkDataSetAttributes::GLOBALIDS || info.Attribute == vtkDataSetAttributes::PEDIGREEIDS;
+  if (info.Association == vtkMTArrayInfo::Cell || id || info.Name == vtkDataSetAttributes::GhostArrayName())
+  {
+    return vtkMTArrayInfo::Nearest;
+  }
+  if (IsDirection(info))
+  {
+    return vtkMTArrayInfo::Direction;
+  }
+  // Bytes are colours as a rule; all other integers are ids, labels and flags, which have no mean.
+  const bool mean = info.Type == VTK_FLOAT || info.Type == VTK_DOUBLE || info.Type == VTK_UNSIGNED_CHAR;
+  return mean ? vtkMTArrayInfo::Interpolate : vtkMTArrayInfo::Nearest;
+}
+
+//------------------------------------------------------------------------------
+std::string GetReasonToLeaveOut(vtkAbstractArray* array, vtkIdType tuples, std::size_t tupleSize)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_STRING:
+      return "arrays_of_strings";
+    case VTK_VARIANT:
+      return "arrays_of_variants";
+    case VTK_BIT:
+      return "arrays_of_bits";
+    default:
+      break;
+  }
+  if (tupleSize == 0 || !vtkDataArray::SafeDownCast(array))
+  {
+    return "arrays_of_other_types";
+  }
+  return array->GetNumberOfTuples() != tuples ? "arrays_of_wrong_length" : "";
+}
+
+//------------------------------------------------------------------------------
+double Dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+//------------------------------------------------------------------------------
+void Cross(const double a[3], const double b[3], double c[3])
+{
+  c[0] = a[1] * b[2] - a[2] * b[1];
+  c[1] = a[2] * b[0] - a[0] * b[2];
+  c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+//------------------------------------------------------------------------------
+// For a convex quad: 0 or 1 for the diagonal from corner 0 or from corner 1, the shorter one; -1 when it is not convex.
+int ChooseDiagonal(const double p[4][3])
+{
+  double edges[4][3];
+  double diagonals[2][3];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      edges[j][i] = p[(j + 1) % 4][i] - p[j][i];
+    }
+    diagonals[0][i] = p[2][i] - p[0][i];
+    diagonals[1][i] = p[3][i] - p[1][i];
+  }
+  double normal[3];
+  Cross(diagonals[0], diagonals[1], normal);
+  for (int j = 0; j < 4; ++j)
+  {
+    double corner[3];
+    Cross(edges[(j + 3) % 4], edges[j], corner);
+    if (!(Dot(corner, normal) > 0.0))
+    {
+      return -1;
+    }
+  }
+  return Dot(diagonals[1], diagonals[1]) < Dot(diagonals[0], diagonals[0]) ? 1 : 0;
+}
+}
+
+//------------------------------------------------------------------------------
+struct vtkMTPolyDataStream::Internals
+{
+  vtkSmartPointer<vtkPolyData> Input;
+  std::vector<vtkMTArrayInfo> Infos;
+  std::vector<Column> PointColumns;
+  std::vector<Column> CellColumns;
+  std::map<std::string, std::int64_t> Report;
+  std::uint64_t Triangles = 0;
+  vtkIdType FirstPolyCell = 0;
+
+  vtkIdType NextPoint = 0;
+  vtkIdType NextCell = 0;             // counts polygons, then strips
+  std::vector<Triangle> Cell;         // triangles of the present cell
+  std::size_t NextInCell = 0;
+
+  vtkNew<vtkIdList> CellPoints;
+  vtkNew<vtkIdList> Ears;
+  vtkNew<vtkPolygon> Polygon;
+
+  vtkIdType GetNumberOfPolys() { return this->Input->GetPolys()->GetNumberOfCells(); }
+  vtkIdType GetNumberOfStrips() { return this->Input->GetStrips()->GetNumberOfCells(); }
+
+  void AddArrays(vtkDataSetAttributes* attributes, vtkMTArrayInfo::AssociationType association, vtkIdType tuples);
+  void CountCells();
+  void LoadCell();
+  void AddStrip();
+  void AddPolygon();
+  bool AddQuad();
+  bool AddEars();
+  bool GetCellPlaces(std::vector<std::array<double, 3>>& places);
+  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    this->Cell.push_back(
+      { static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), static_cast<std::uint64_t>(c) });
+  }
+};
+
+//------------------------------------------------------------------------------
+void vtkMTPolyDataStream::Internals::AddArrays(
+  vtkDataSetAttributes* attributes, vtkMTArrayInfo::AssociationType association, vtkIdType tuples)
+{
+  std::set<std::string> names;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    const char* name = attributes->GetAbstractArray(i)->GetName();
+    names.insert(name ? name : "");
+  }
+  for (int i = 0, unnamed = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    vtkMTArrayInfo info;
+    info.Name = array->GetName() ? array->GetName() : "";
+    while (info.Name.empty())
+    {
+      const std::string made = "array_" + std::to_string(unnamed++);
+      info.Name = names.insert(made).second ? made : "";
+    }
+    info.Type = array->GetDataType();
+    info.Components = array->GetNumberOfComponents();
+    info.Association = association;
+    info.Attribute = FindAttribute(attributes, array);
+    info.Resampling = ChooseResampling(info);
+    for (int c = 0; array->HasAComponentName() && c < info.Components; ++c)
+    {
+      info.ComponentNames.push_back(array->GetComponentName(c) ? array->GetComponentName(c) : "");
+    }
+    const std::string reason = GetReasonToLeaveOut(array, tuples, info.GetTupleSize());
+    if (!reason.empty())
+    {
+      ++this->Report[reason];
+      continue;
+    }
+    Column column;
+    column.TupleSize = info.GetTupleSize();
+    column.Array = vtkDataArray::SafeDownCast(array);
+    if (!array->HasStandardMemoryLayout())
+    {
+      column.Array.TakeReference(vtkDataArray::CreateDataArray(info.Type));
+      column.Array->DeepCopy(array);
+    }
+    (association == vtkMTArrayInfo::Cell ? this->CellColumns : this->PointColumns).push_back(column);
+    this->Infos.push_back(info);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMTPolyDataStream::Internals::CountCells()
+{
+  const vtkIdType vertices = this->Input->GetVerts()->GetNumberOfCells();
+  const vtkIdType lines = this->Input->GetLines()->GetNumberOfCells();
+  this->FirstPolyCell = vertices + lines;
+  std::int64_t degenerate = 0;
+  for (vtkCellArray* cells : { this->Input->GetPolys(), this->Input->GetStrips() })
+  {
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      const vtkIdType size = cells->GetCellSize(cell);
+      degenerate += size < 3 ? 1 : 0;
+      this->Triangles += size < 3 ? 0 : size - 2;
+    }
+  }
+  const std::pair<const char*, std::int64_t> counts[] = { { "vertices", vertices }, { "lines", lines },
+    { "degenerate_cells", degenerate } };
+  for (const auto& count : counts)
+  {
+    if (count.second > 0)
+    {
+      this->Report[count.first] = count.second;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The places of the present cell's points; false when one does not exist or is not finite.
+bool vtkMTPolyDataStream::Internals::GetCellPlaces(std::vector<std::array<double, 3>>& places)
+{
+  const vtkIdType points = this->Input->GetNumberOfPoints();
+  places.resize(this->CellPoints->GetNumberOfIds());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const vtkIdType id = this->CellPoints->GetId(static_cast<vtkIdType>(i));
+    if (id < 0 || id >= points)
+    {
+      return false;
+    }
+    this->Input->GetPoint(id, places[i].data());
+    if (!std::isfinite(places[i][0]) || !std::isfinite(places[i][1]) || !std::isfinite(places[i][2]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMTPolyDataStream::Internals::AddStrip()
+{
+  const vtkIdType* ids = this->CellPoints->GetPointer(0);
+  for (vtkIdType i = 0; i + 2 < this->CellPoints->GetNumberOfIds(); ++i)
+  {
+    const bool odd = i % 2 == 1;
+    this->AddTriangle(ids[i], odd ? ids[i + 2] : ids[i + 1], odd ? ids[i + 1] : ids[i + 2]);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPolyDataStream::Internals::AddQuad()
+{
+  std::vector<std::array<double, 3>> places;
+  if (this->CellPoints->GetNumberOfIds() != 4 || !this->GetCellPlaces(places))
+  {
+    return false;
+  }
+  double p[4][3];
+  for (int i = 0; i < 4; ++i)
+  {
+    std::copy(places[i].begin(), places[i].end(), p[i]);
+  }
+  const int first = ChooseDiagonal(p);
+  if (first < 0)
+  {
+    return false;
+  }
+  const vtkIdType* ids = this->CellPoints->GetPointer(0);
+  this->AddTriangle(ids[first], ids[first + 1], ids[first + 2]);
+  this->AddTriangle(ids[first], ids[first + 2], ids[(first + 3) % 4]);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPolyDataStream::Internals::AddEars()
+{
+  std::vector<std::array<double, 3>> places;
+  if (!this->GetCellPlaces(places))
+  {
+    return false;
+  }
+  const vtkIdType size = static_cast<vtkIdType>(places.size());
+  this->Polygon->PointIds->SetNumberOfIds(size);
+  this->Polygon->Points->SetDataTypeToDouble();
+  this->Polygon->Points->SetNumberOfPoints(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    this->Polygon->PointIds->SetId(i, i);
+    this->Polygon->Points->SetPoint(i, places[i].data());
+  }
+  if (!this->Polygon->Triangulate(this->Ears) || this->Ears->GetNumberOfIds() != 3 * (size - 2))
+  {
+    return false;
+  }
+  const vtkIdType* ids = this->CellPoints->GetPointer(0);
+  for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
+  {
+    this->AddTriangle(
+      ids[this->Ears->GetId(i)], ids[this->Ears->GetId(i + 1)], ids[this->Ears->GetId(i + 2)]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMTPolyDataStream::Internals::AddPolygon()
+{
+  const vtkIdType size = this->CellPoints->GetNumberOfIds();
+  const vtkIdType* ids = this->CellPoints->GetPointer(0);
+  if (size == 3)
+  {
+    this->AddTriangle(ids[0], ids[1], ids[2]);
+  }
+  else if (size > 3 && !this->AddQuad() && !this->AddEars())
+  {
+    for (vtkIdType i = 1; i + 1 < size; ++i)
+    {
+      this->AddTriangle(ids[0], ids[i], ids[i + 1]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMTPolyDataStream::Internals::LoadCell()
+{
+  this->Cell.clear();
+  this->NextInCell = 0;
+  const vtkIdType polys = this->GetNumberOfPolys();
+  if (this->NextCell < polys)
+  {
+    this->Input->GetPolys()->GetCellAtId(this->NextCell, this->CellPoints);
+    this->AddPolygon();
+  }
+  else
+  {
+    this->Input->GetStrips()->GetCellAtId(this->NextCell - polys, this->CellPoints);
+    this->AddStrip();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTPolyDataStream::vtkMTPolyDataStream(vtkPolyData* input)
+  : Implementation(new Internals)
+{
+  Internals& in = *this->Implementation;
+  in.Input = input;
+  in.AddArrays(input->GetPointData(), vtkMTArrayInfo::Point, input->GetNumberOfPoints());
+  in.AddArrays(input->GetCellData(), vtkMTArrayInfo::Cell, input->GetNumberOfCells());
+  in.CountCells();
+  this->Rewind();
+}
+
+//------------------------------------------------------------------------------
+vtkMTPolyDataStream::~vtkMTPolyDataStream() = default;
+
+//------------------------------------------------------------------------------
+const std::vector<vtkMTArrayInfo>& vtkMTPolyDataStream::GetArrays() const
+{
+  return this->Implementation->Infos;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkMTPolyDataStream::GetNumberOfPoints() const
+{
+  return static_cast<std::uint64_t>(this->Implementation->Input->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkMTPolyDataStream::GetNumberOfTriangles() const
+{
+  return this->Implementation->Triangles;
+}
+
+//------------------------------------------------------------------------------
+const std::map<std::string, std::int64_t>& vtkMTPolyDataStream::GetReport() const
+{
+  return this->Implementation->Report;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPolyDataStream::Rewind()
+{
+  this->Implementation->NextPoint = 0;
+  this->Implementation->NextCell = -1;
+  this->Implementation->NextInCell = 0;
+  this->Implementation->Cell.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPolyDataStream::NextPoints(PointBlock& block)
+{
+  Internals& in = *this->Implementation;
+  const vtkIdType end =
+    std::min(in.NextPoint + static_cast<vtkIdType>(BlockSize), in.Input->GetNumberOfPoints());
+  block.Points.resize(end - in.NextPoint);
+  block.Columns.assign(in.PointColumns.size(), vtkMTColumn());
+  for (vtkIdType i = in.NextPoint; i < end; ++i)
+  {
+    in.Input->GetPoint(i, block.Points[i - in.NextPoint].data());
+    for (std::size_t c = 0; c < in.PointColumns.size(); ++c)
+    {
+      in.PointColumns[c].Append(i, block.Columns[c]);
+    }
+  }
+  in.NextPoint = end;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPolyDataStream::NextTriangles(TriangleBlock& block)
+{
+  Internals& in = *this->Implementation;
+  block.Triangles.clear();
+  block.CellIds.clear();
+  block.Columns.assign(in.CellColumns.size(), vtkMTColumn());
+  const vtkIdType cells = in.GetNumberOfPolys() + in.GetNumberOfStrips();
+  while (block.Triangles.size() < BlockSize)
+  {
+    if (in.NextInCell == in.Cell.size())
+    {
+      if (in.NextCell + 1 >= cells)
+      {
+        break;
+      }
+      ++in.NextCell;
+      in.LoadCell();
+      continue;
+    }
+    block.Triangles.push_back(in.Cell[in.NextInCell++]);
+    const vtkIdType cellId = in.FirstPolyCell + in.NextCell;
+    block.CellIds.push_back(cellId);
+    for (std::size_t c = 0; c < in.CellColumns.size(); ++c)
+    {
+      in.CellColumns[c].Append(cellId, block.Columns[c]);
+    }
+  }
+  return true;
+}

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTValidate.h"
+
+#include "vtkMTCut.h"
+#include "vtkMTGraph.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMTRandomCut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+using Result = vtkMTValidate::Result;
+
+//------------------------------------------------------------------------------
+template <typename... Parts>
+std::string Text(const Parts&... parts)
+{
+  std::ostringstream text;
+  text.precision(17);
+  (text << ... << parts);
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+// One test: counts it, and reports a violation unless ok.
+template <typename... Parts>
+bool Expect(Result& result, const char* check, bool ok, const Parts&... parts)
+{
+  ++result.Tested;
+  if (!ok)
+  {
+    result.Report(check, Text(parts...));
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void CheckLattice(const vtkMTLattice& lattice, Result& result)
+{
+  int exponent = 0;
+  Expect(result, "graph", std::isfinite(lattice.Step) && std::frexp(lattice.Step, &exponent) == 0.5,
+    "the lattice's step ", lattice.Step, " is no power of two");
+  for (std::int64_t origin : lattice.Origin)
+  {
+    Expect(result, "graph", std::abs(static_cast<double>(origin)) <= 0x1p53, "the lattice's origin ", origin,
+      " is beyond 2^53 steps");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Everything that the other checks index with. False when they cannot go on.
+bool CheckIndices(const vtkMTGraph& graph, Result& result)
+{
+  const std::size_t nodes = graph.Nodes.size();
+  const std::size_t arcs = graph.Arcs.size();
+  bool ok = Expect(result, "graph", nodes >= 2 && arcs > 0, "a graph needs a source, a sink and an arc: ", nodes,
+    " nodes, ", arcs, " arcs");
+  ok = Expect(result, "graph", graph.Entering.size() == arcs, "Entering has ", graph.Entering.size(),
+         " entries for ", arcs, " arcs") && ok;
+  for (std::size_t i = 0; i < arcs; ++i)
+  {
+    const vtkMTArc& arc = graph.Arcs[i];
+    ok = Expect(result, "graph", arc.From < arc.To && arc.To < nodes, "arc ", i, " runs from node ", arc.From,
+           " to ", arc.To, " of ", nodes) && ok;
+    const bool sorted = i == 0 || graph.Arcs[i - 1].From < arc.From ||
+      (graph.Arcs[i - 1].From == arc.From && graph.Arcs[i - 1].To <= arc.To);
+    ok = Expect(result, "graph", sorted, "arc ", i, " is out of order") && ok;
+  }
+  for (std::size_t i = 0; i < graph.Entering.size(); ++i)
+  {
+    ok = Expect(result, "graph", graph.Entering[i] < arcs, "Entering ", i, " is arc ", graph.Entering[i], " of ",
+           arcs) && ok;
+  }
+  std::uint64_t out = 0;
+  std::uint64_t in = 0;
+  for (std::size_t i = 0; i < nodes; ++i)
+  {
+    const vtkMTNode& node = graph.Nodes[i];
+    ok = Expect(result, "graph", node.FirstOut == out && node.FirstIn == in, "the arcs of node ", i,
+           " do not begin where those of the node before end") && ok;
+    out += node.OutCount;
+    in += node.InCount;
+  }
+  return Expect(result, "graph", out == arcs && in == arcs, "the nodes have ", out, " arcs that leave and ", in,
+           " that enter, of ", arcs) && ok;
+}
+
+//------------------------------------------------------------------------------
+// The arcs' ends, as their nodes list them, and that every node lies on a path from source to sink.
+bool CheckPaths(const vtkMTGraph& graph, Result& result)
+{
+  bool ok = true;
+  for (std::uint32_t i = 0; i < graph.Nodes.size(); ++i)
+  {
+    const vtkMTNode& node = graph.Nodes[i];
+    // Arcs run forward, so a node has a path from the source when all but the source are entered; likewise to the sink.
+    ok = Expect(result, "graph", (node.InCount > 0) == (i != graph.GetSource()), "node ", i, " is entered by ",
+           node.InCount, " arcs") && ok;
+    ok = Expect(result, "graph", (node.OutCount > 0) == (i != graph.GetSink()), "node ", i, " is left by ",
+           node.OutCount, " arcs") && ok;
+    for (std::uint32_t a = 0; a < node.OutCount; ++a)
+    {
+      const vtkMTArc& arc = graph.Arcs[node.FirstOut + a];
+      ok = Expect(result, "graph", arc.From == i, "arc ", node.FirstOut + a, " does not leave node ", i) && ok;
+    }
+    for (std::uint32_t a = 0; a < node.InCount; ++a)
+    {
+      const std::uint32_t arc = graph.Entering[node.FirstIn + a];
+      const bool sorted = a == 0 || graph.Entering[node.FirstIn + a - 1] < arc;
+      ok = Expect(result, "graph", graph.Arcs[arc].To == i && sorted, "arc ", arc, " does not enter node ", i,
+             " in order") && ok;
+    }
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+bool CheckLevels(const vtkMTGraph& graph, Result& result)
+{
+  bool ok = Expect(result, "graph", graph.Nodes[graph.GetSink()].Level == 0, "the sink's level is ",
+    graph.Nodes[graph.GetSink()].Level, ", not 0");
+  for (std::size_t i = 0; i < graph.Arcs.size(); ++i)
+  {
+    const std::uint32_t from = graph.Nodes[graph.Arcs[i].From].Level;
+    const std::uint32_t to = graph.Nodes[graph.Arcs[i].To].Level;
+    ok = Expect(result, "graph", from > to && from < graph.Nodes.size(), "arc ", i, " runs from level ", from,
+           " to level ", to) && ok;
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+struct Sphere
+{
+  std::array<double, 3> Center; // in steps: spheres and boxes are compared where both are exact
+  double Radius;
+
+  Sphere(const vtkMTLattice& lattice, const vtkMTNode& node)
+    : Radius(node.Radius / lattice.Step)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Center[i] = node.Center[i] / lattice.Step - static_cast<double>(lattice.Origin[i]);
+    }
+  }
+
+  bool Holds(double x, double y, double z, double radius) const
+  {
+    const double d[3] = { x - this->Center[0], y - this->Center[1], z - this->Center[2] };
+    return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) + radius <= this->Radius;
+  }
+  bool Holds(const Sphere& s) const { return this->Holds(s.Center[0], s.Center[1], s.Center[2], s.Radius); }
+  bool Holds(const vtkMTBox& box) const
+  {
+    bool holds = true;
+    for (int corner = 0; holds && corner < 8 && box[0] <= box[1]; ++corner)
+    {
+      holds = this->Holds(box[corner & 1], box[2 + ((corner >> 1) & 1)], box[4 + (corner >> 2)], 0.0);
+    }
+    return holds;
+  }
+};
+
+//------------------------------------------------------------------------------
+void CheckSaturation(const vtkMTGraph& graph, Result& result)
+{
+  for (std::uint32_t i = 0; i < graph.Nodes.size(); ++i)
+  {
+    const vtkMTNode& node = graph.Nodes[i];
+    Expect(result, "graph",
+      std::isfinite(node.Error) && node.Error >= 0.0 && std::isfinite(node.StepError) && node.StepError >= 0.0 &&
+        std::isfinite(node.EdgeLength) && node.EdgeLength >= 0.0 && std::isfinite(node.Radius) && node.Radius >= 0.0,
+      "node ", i, " has an error, an edge length or a radius that is negative or no number");
+    const Sphere sphere(graph.Lattice, node);
+    for (std::uint32_t a = 0; a < node.OutCount; ++a)
+    {
+      const std::uint32_t index = node.FirstOut + a;
+      const std::uint32_t to = graph.Arcs[index].To;
+      const vtkMTNode& finer = graph.Nodes[to];
+      Expect(result, "graph", node.Error >= node.StepError + finer.Error, "the error ", node.Error, " of node ", i,
+        " is not saturated: its own step ", node.StepError, ", node ", to, " below has ", finer.Error);
+      Expect(result, "graph", node.EdgeLength >= finer.EdgeLength, "the edge length ", node.EdgeLength, " of node ", i,
+        " is not saturated: node ", to, " below has ", finer.EdgeLength);
+      Expect(result, "graph", sphere.Holds(graph.Arcs[index].Box), "the sphere of node ", i,
+        " does not hold the patch of arc ", index, " which leaves it");
+      Expect(result, "graph", to == graph.GetSink() || sphere.Holds(Sphere(graph.Lattice, finer)), "the sphere of node ",
+        i, " does not hold that of node ", to, " below");
+    }
+    for (std::uint32_t a = 0; a < node.InCount; ++a)
+    {
+      const std::uint32_t index = graph.Entering[node.FirstIn + a];
+      Expect(result, "graph", sphere.Holds(graph.Arcs[index].Box), "the sphere of node ", i,
+        " does not hold the patch of arc ", index, " which enters it");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckRecords(const vtkMTGraph& graph, Result& result)
+{
+  const Sphere whole(graph.Lattice, graph.Nodes[graph.GetSink()]);
+  for (std::size_t i = 0; i < graph.Arcs.size(); ++i)
+  {
+    const vtkMTArc& arc = graph.Arcs[i];
+    Expect(result, "graph", arc.Triangles > 0 && arc.Points > 0 && arc.Wedges > 0, "arc ", i, " has an empty patch");
+    Expect(result, "graph", arc.SharedPoints <= arc.Points, "arc ", i, " has more shared points than points");
+    Expect(result, "graph", arc.Box[0] <= arc.Box[1] && arc.Box[2] <= arc.Box[3] && arc.Box[4] <= arc.Box[5], "arc ", i,
+      " has an empty box");
+    Expect(result, "graph", whole.Holds(arc.Box), "the sphere of the sink does not hold the patch of arc ", i);
+  }
+  Expect(result, "graph", graph.InputTriangles >= graph.GetFinestTriangles(), "the finest level has ",
+    graph.GetFinestTriangles(), " triangles, the input ", graph.InputTriangles);
+}
+
+//------------------------------------------------------------------------------
+void CheckColumns(const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays, const std::string& name,
+  Result& result)
+{
+  std::size_t next[2] = { 0, 0 };
+  for (const vtkMTArrayInfo& array : arrays)
+  {
+    const bool cell = array.Association == vtkMTArrayInfo::Cell;
+    const std::vector<vtkMTColumn>& columns = cell ? mesh.CellColumns : mesh.PointColumns;
+    const std::size_t tuples = cell ? mesh.Triangles.size() : mesh.GetNumberOfWedges();
+    const std::size_t index = next[cell]++;
+    const std::size_t size = index < columns.size() ? columns[index].size() : 0;
+    Expect(result, "patch", array.GetTupleSize() > 0 && size == tuples * array.GetTupleSize(), name, ": the array ",
+      array.Name, " has ", size, " bytes for ", tuples, " tuples of ", array.GetTupleSize());
+  }
+  Expect(result, "patch", mesh.PointColumns.size() == next[0] && mesh.CellColumns.size() == next[1], name, " has ",
+    mesh.PointColumns.size(), " point and ", mesh.CellColumns.size(), " cell arrays, the model ", next[0], " and ",
+    next[1]);
+}
+
+//------------------------------------------------------------------------------
+// Indices in range, no triangle with a repeated point. False when an index is out of range.
+bool CheckTriangles(const vtkMTPatch& mesh, const std::string& name, Result& result)
+{
+  const std::size_t wedges = mesh.GetNumberOfWedges();
+  bool ok = true;
+  for (std::size_t w = 0; w < mesh.WedgePoints.size(); ++w)
+  {
+    ok = Expect(result, "patch", mesh.WedgePoints[w] < mesh.Points.size(), name, ": wedge ", w, " is of point ",
+           mesh.WedgePoints[w], " of ", mesh.Points.size()) && ok;
+  }
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    const vtkMTTriangle& triangle = mesh.Triangles[t];
+    ok = Expect(result, "patch", triangle[0] < wedges && triangle[1] < wedges && triangle[2] < wedges, name,
+           ": triangle ", t, " has a wedge that does not exist") && ok;
+  }
+  for (std::size_t t = 0; ok && t < mesh.Triangles.size(); ++t)
+  {
+    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
+    Expect(result, "patch", p[0] != p[1] && p[1] != p[2] && p[2] != p[0], name, ": triangle ", t, " repeats a point");
+  }
+  return ok;
+}
+
+//------------------------------------------------------------------------------
+void CheckIds(const vtkMTPatch& patch, const std::string& name, Result& result)
+{
+  Expect(result, "patch", patch.Ids.size() <= patch.Points.size(), name, " has more ids than points");
+  std::vector<std::uint64_t> ids = patch.Ids;
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  Expect(result, "patch", twice == ids.end(), name, ": the id ", twice == ids.end() ? 0 : *twice, " occurs twice");
+}
+
+//------------------------------------------------------------------------------
+void CheckRecord(const vtkMTArc& arc, const vtkMTPatch& patch, const std::string& name, Result& result)
+{
+  Expect(result, "patch",
+    arc.Triangles == patch.Triangles.size() && arc.Points == patch.Points.size() &&
+      arc.Wedges == patch.GetNumberOfWedges() && arc.SharedPoints == patch.Ids.size(),
+    name, " has ", patch.Triangles.size(), " triangles, ", patch.Points.size(), " points, ", patch.GetNumberOfWedges(),
+    " wedges, ", patch.Ids.size(), " shared points; its record says ", arc.Triangles, ", ", arc.Points, ", ", arc.Wedges,
+    ", ", arc.SharedPoints);
+  Expect(result, "patch", arc.Box == patch.GetBox(), name, ": the box of its record is not that of its triangles");
+}
+
+//------------------------------------------------------------------------------
+// Every normal lies in the cone, as far as single precision tells.
+void CheckCone(const vtkMTArc& arc, const vtkMTPatch& patch, const std::string& name, Result& result)
+{
+  constexpr double tolerance = 1e-5;
+  for (std::size_t t = 0; arc.ConeCosine > 0.0f && t < patch.Triangles.size(); ++t)
+  {
+    const vtkMTTriangle p = patch.GetPointsOfTriangle(t);
+    double u[3];
+    double v[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      u[i] = static_cast<double>(patch.Points[p[1]][i]) - patch.Points[p[0]][i];
+      v[i] = static_cast<double>(patch.Points[p[2]][i]) - patch.Points[p[0]][i];
+    }
+    const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const double dot = n[0] * arc.ConeAxis[0] + n[1] * arc.ConeAxis[1] + n[2] * arc.ConeAxis[2];
+    Expect(result, "patch", dot >= (arc.ConeCosine - tolerance) * length, name, ": the normal of triangle ", t,
+      " is outside the cone");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMTValidate::Result::Report(const std::string& check, const std::string& what)
+{
+  ++this->Violations;
+  if (this->Findings.size() < MaximumFindings)
+  {
+    this->Findings.push_back({ check, what });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMTValidate::Result::Append(const Result& other)
+{
+  this->Tested += other.Tested;
+  this->Violations += other.Violations;
+  const std::size_t room = MaximumFindings - std::min(MaximumFindings, this->Findings.size());
+  const std::size_t count = std::min(room, other.Findings.size());
+  this->Findings.insert(this->Findings.end(), other.Findings.begin(), other.Findings.begin() + count);
+}
+
+//------------------------------------------------------------------------------
+vtkMTValidate::Result vtkMTValidate::Graph(const vtkMTGraph& graph)
+{
+  Result result;
+  CheckLattice(graph.Lattice, result);
+  if (CheckIndices(graph, result) && CheckPaths(graph, result) && CheckLevels(graph, result))
+  {
+    CheckSaturation(graph, result);
+    CheckRecords(graph, result);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkMTValidate::Result vtkMTValidate::Mesh(const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays)
+{
+  Result result;
+  CheckTriangles(mesh, "mesh", result);
+  CheckColumns(mesh, arrays, "mesh", result);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkMTValidate::Result vtkMTValidate::Patch(const vtkMTGraph& graph, std::uint32_t arc, const vtkMTPatch& patch)
+{
+  Result result;
+  const std::string name = Text("patch ", arc);
+  CheckIds(patch, name, result);
+  CheckColumns(patch, graph.Arrays, name, result);
+  if (CheckTriangles(patch, name, result))
+  {
+    CheckRecord(graph.Arcs[arc], patch, name, result);
+    CheckCone(graph.Arcs[arc], patch, name, result);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkMTValidate::Result vtkMTValidate::All(const vtkMTPatchSource& source, std::size_t cuts, std::uint32_t seed)
+{
+  Result result = Graph(source.GetGraph());
+  if (!result.IsValid())
+  {
+    return result; // nothing else may be indexed
+  }
+  Borders borders;
+  result.Append(borders.Load(source));
+  for (std::size_t i = 0; i < cuts; ++i)
+  {
+    result.Append(borders.Cut(vtkMTRandomCut::Make(source.GetGraph(), seed, i)));
+  }
+  return result;
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMultiTriangulation.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMTAssembler.h"
+#include "vtkMTCut.h"
+#include "vtkMTGraph.h"
+#include "vtkMTMeshToPolyData.h"
+#include "vtkMTPatchSource.h"
+#include "vtkObjectFactory.h"
+
+#include <utility>
+
+vtkStandardNewMacro(vtkMultiTriangulation);
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulation::vtkMultiTriangulation() = default;
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulation::~vtkMultiTriangulation() = default;
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Source: " << (this->Source ? this->Source->GetName() : std::string("(none)")) << "\n";
+  os << indent << "NumberOfNodes: " << this->GetNumberOfNodes() << "\n";
+  os << indent << "NumberOfPatches: " << this->GetNumberOfPatches() << "\n";
+  os << indent << "NumberOfLevels: " << this->GetNumberOfLevels() << "\n";
+  os << indent << "NumberOfFinestTriangles: " << this->GetNumberOfFinestTriangles() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::CopySource(vtkDataObject* from)
+{
+  vtkMultiTriangulation* other = vtkMultiTriangulation::SafeDownCast(from);
+  this->Source = other ? other->Source : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::ShallowCopy(vtkDataObject* source)
+{
+  if (source != this)
+  {
+    this->Superclass::ShallowCopy(source);
+    this->CopySource(source);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::DeepCopy(vtkDataObject* source)
+{
+  if (source != this)
+  {
+    this->Superclass::DeepCopy(source);
+    this->CopySource(source);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::CopyStructure(vtkDataSet* source)
+{
+  if (source != this)
+  {
+    this->Superclass::CopyStructure(source);
+    this->CopySource(source);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::Initialize()
+{
+  this->Superclass::Initialize();
+  this->Source.reset();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> source)
+{
+  this->Initialize();
+  if (!source)
+  {
+    return true;
+  }
+  std::string error;
+  if (!vtkMultiTriangulation::CutToPolyData(*source, vtkMTCut(source->GetGraph()), this, error))
+  {
+    this->Initialize();
+    vtkErrorMacro("The coarsest patches of " << source->GetName() << " cannot be read: " << error);
+    return false;
+  }
+  this->Source = std::move(source);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulation::GetNumberOfNodes()
+{
+  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().Nodes.size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulation::GetNumberOfPatches()
+{
+  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().Arcs.size()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulation::GetNumberOfLevels()
+{
+  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().GetNumberOfLevels()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulation::GetNumberOfFinestTriangles()
+{
+  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().GetFinestTriangles()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulation* vtkMultiTriangulation::GetData(vtkInformation* info)
+{
+  return info ? vtkMultiTriangulation::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulation* vtkMultiTriangulation::GetData(vtkInformationVector* v, int i)
+{
+  return vtkMultiTriangulation::GetData(v->GetInformationObject(i));
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulation::CutToPolyData(
+  const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error)
+{
+  const vtkMTGraph& graph = source.GetGraph();
+  vtkMTAssembler assembler(graph.Arrays);
+  vtkMTPatch patch;
+  for (std::uint32_t arc : cut.GetArcs())
+  {
+    if (!source.ReadPatch(arc, nullptr, patch, error))
+    {
+      return false;
+    }
+    if (!assembler.Add(patch))
+    {
+      error = "patch " + std::to_string(arc) + ": " + assembler.GetError();
+      return false;
+    }
+  }
+  vtkMTMeshToPolyData::Convert(assembler.GetMesh(), graph.Lattice, graph.Arrays, output);
+  return true;
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMultiTriangulation
+ * @brief a Multi-Triangulation as a VTK data object: its coarsest cut, and a handle to all its patches
+ *
+ * A vtkMultiTriangulation is a vtkPolyData whose points and cells are the coarsest cut, so every filter, writer and mapper
+ * of VTK takes it. It carries a shared handle to the patch source, which the toolkit's own mapper and filters use to
+ * reach every other cut. ShallowCopy and DeepCopy share the handle: patches are immutable and are never copied.
+ */
+#ifndef vtkMultiTriangulation_h
+#define vtkMultiTriangulation_h
+
+#include "vtkMTCoreModule.h" // For export macro
+#include "vtkPolyData.h"
+
+#include <memory>
+
+class vtkMTPatchSource;
+class vtkMTCut;
+
+class VTKMTCORE_EXPORT vtkMultiTriangulation : public vtkPolyData
+{
+public:
+  static vtkMultiTriangulation* New();
+  vtkTypeMacro(vtkMultiTriangulation, vtkPolyData);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void ShallowCopy(vtkDataObject* source) override;
+  void DeepCopy(vtkDataObject* source) override;
+  void CopyStructure(vtkDataSet* source) override;
+  void Initialize() override;
+
+  ///@{
+  /**
+   * The patches. SetSource also fills the points and cells with the coarsest cut and its arrays; it returns false, with
+   * an error event, when the coarsest patches cannot be read, and is then empty.
+   */
+  bool SetSource(std::shared_ptr<const vtkMTPatchSource> source);
+  std::shared_ptr<const vtkMTPatchSource> GetSource() const { return this->Source; }
+  ///@}
+
+  ///@{
+  /// Figures of the DAG; 0 when there is no source.
+  vtkIdType GetNumberOfNodes();
+  vtkIdType GetNumberOfPatches();
+  vtkIdType GetNumberOfLevels();
+  /// Triangles of the finest level.
+  vtkIdType GetNumberOfFinestTriangles();
+  ///@}
+
+  ///@{
+  /// From an information object, as in every VTK data class.
+  static vtkMultiTriangulation* GetData(vtkInformation* info);
+  static vtkMultiTriangulation* GetData(vtkInformationVector* v, int i = 0);
+  ///@}
+
+  /**
+   * The welded mesh of any cut as polydata, with all arrays of the model. Returns false, with the reason in error, when a patch
+   * cannot be read.
+   */
+  static bool CutToPolyData(
+    const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);
+
+protected:
+  vtkMultiTriangulation();
+  ~vtkMultiTriangulation() override;
+
+private:
+  vtkMultiTriangulation(const vtkMultiTriangulation&) = delete;
+  void operator=(const vtkMultiTriangulation&) = delete;
+
+  void CopySource(vtkDataObject* from);
+
+  std::shared_ptr<const vtkMTPatchSource> Source;
+};
+
+#endif
