@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTExtraction
+ * @brief finds the cut to draw: a pure function of graph, view, settings and what is resident
+ *
+ * The refinement half of Cignoni et al., "Batched Multi Triangulation" (2005), section 5. Extraction starts at the coarsest cut
+ * and keeps the refinements that are wanted in a heap, the largest error first, ties by node index. A refinement that
+ * needs coarser nodes refined takes them along (BMT section 3.1), so after every operation the cut is closed and its patches
+ * conform. A refinement that does not fit the triangle budget is put aside, smaller ones are tried instead, and what was put
+ * aside is tried again whenever the cut has changed. Where less than nine tenths of the budget are then used, the coarser nodes
+ * that the postponed refinements wait for are refined one by one as far as they fit.
+ *
+ * The error of an arc's patch is the pixel error of the node that it enters, taken over the patch's own box, which is tighter
+ * than the node's sphere; that of a node is the largest of the arcs that enter it. An arc whose box, grown by its error, lies
+ * outside the frustum asks for nothing: the input surface that it stands for cannot be seen. An arc whose box lies outside is
+ * not drawn and does not count against the budget. Without a view the error is the node's own, in model units, and every
+ * arc counts.
+ *
+ * The result depends on the arguments alone. The object keeps scratch memory between calls, so use one object per thread.
+ */
+#ifndef vtkMTExtraction_h
+#define vtkMTExtraction_h
+
+#include "vtkMTCut.h"
+#include "vtkMTCutModule.h" // For export macro
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkMTGraph;
+struct vtkMTView;
+
+class VTKMTCUT_EXPORT vtkMTExtraction
+{
+public:
+  enum ErrorChoiceType : std::uint8_t
+  {
+    Distance = 0,  ///< the certified distance to the input: says where the surface is
+    EdgeLength = 1 ///< the mean edge length (BMT section 5.1): says how finely it can be shaded
+  };
+
+  struct Settings
+  {
+    /// With a view, pixels: what is above is refined. Default 1; negative refines everything that can be seen.
+    double PixelError = 1.0;
+    /// Without a view, model units: what is above is refined. Default 0; negative refines everything.
+    double ModelError = 0.0;
+    /// Triangles drawn at most; 0, the default, is no limit. Where the coarsest cut has more, it is drawn all the same and
+    /// the result is not WithinBudget.
+    std::uint64_t TriangleBudget = 0;
+    ErrorChoiceType ErrorChoice = Distance;
+    /// Whether patches outside the frustum are left out. Refinement follows the frustum in either case. Default on.
+    bool FrustumCulling = true;
+  };
+
+  /// What extraction works on.
+  struct Input
+  {
+    const vtkMTGraph* Graph = nullptr;
+    const vtkMTView* View = nullptr; ///< none: errors in model units, nothing is culled
+    /// One entry per arc, 0 where the patch cannot be drawn now; none: all can. The coarsest patches are always drawn.
+    const std::vector<unsigned char>* Resident = nullptr;
+  };
+
+  /// A patch that is not resident and is wanted.
+  struct Request
+  {
+    std::uint32_t Arc = 0;
+    double Error = 0.0; ///< what refining would remedy, in the units of the threshold
+  };
+
+  struct Result
+  {
+    explicit Result(const vtkMTGraph& graph)
+      : Cut(graph)
+    {
+    }
+
+    vtkMTCut Cut;
+    std::vector<std::uint32_t> Arcs; ///< to draw, ascending
+    std::uint64_t Triangles = 0;     ///< of Arcs
+    /// With a view: upper bound, in pixels, of how far anything in the picture is from where the input would put it; it
+    /// is the certified distance whatever ErrorChoice says, and infinite where the camera is inside a patch's error.
+    double PixelError = 0.0;
+    double ModelError = 0.0; ///< the cut's largest certified distance to the input, model units
+    bool Converged = true;   ///< nothing that can be seen is above the threshold
+    bool WithinBudget = true;
+
+    std::size_t NodesRefined = 0;
+    std::size_t ArcsInCut = 0;
+    std::size_t ArcsCulled = 0;   ///< by the frustum
+    std::size_t Operations = 0;   ///< refinements tried
+    std::size_t Postponed = 0;    ///< refinements wanted that did not fit or were not resident
+    std::vector<Request> Requests; ///< the largest error first
+  };
+
+  vtkMTExtraction();
+  ~vtkMTExtraction();
+  vtkMTExtraction(const vtkMTExtraction&) = delete;
+  vtkMTExtraction& operator=(const vtkMTExtraction&) = delete;
+
+  Result Extract(const Input& input, const Settings& settings);
+
+  /**
+   * The arcs of a given cut that are to be drawn in a view, with their figures, as Extract gives them: for a cut that is
+   * kept while the camera moves.
+   */
+  Result View(const vtkMTCut& cut, const Input& input, const Settings& settings);
+
+  ///@{
+  /**
+   * Cuts without a view. ByTriangles gives the most precise cut of at most `triangles` triangles; where that is 50 mean
+   * patches or more, at least 90 % of them are used unless the finest level has fewer. False, with a message, where
+   * the coarsest cut has more. ByError gives the coarsest cut whose certified distance to the input is at most `error` in
+   * model units; false where the finest level does not reach it. ByLevel gives one level, 0 being the finest; false
+   * where there is no such level.
+   */
+  bool ByTriangles(const vtkMTGraph& graph, std::uint64_t triangles, vtkMTCut& cut, std::string& message);
+  bool ByError(const vtkMTGraph& graph, double error, vtkMTCut& cut, std::string& message);
+  static bool ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkMTCut& cut, std::string& message);
+  ///@}
+
+  ///@{
+  /// Of one arc's patch in a view: its bound in pixels, and whether any of it can be seen.
+  static double GetPixelError(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice);
+  static bool IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc);
+  ///@}
+
+private:
+  class Worker;
+  struct Scratch;
+  std::unique_ptr<Scratch> Memory;
+};
+
+#endif
