@@ -1,25 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds a small Multi-Triangulation with installed headers and libraries, and checks what came out.
-#include "vtkMTValidate.h"
-#include "vtkMultiTriangulation.h"
-#include "vtkMultiTriangulationBuilder.h"
+// consumer FILE: builds a small Multi-Triangulation with the installed headers and libraries, writes it and checks what is in the file.
+#include <vtkMTValidate.h>
+#include <vtkMultiTriangulation.h>
+#include <vtkMultiTriangulationBuilder.h>
+#include <vtkMultiTriangulationReader.h>
+#include <vtkMultiTriangulationWriter.h>
 
 #include <vtkNew.h>
 #include <vtkSphereSource.h>
 
 #include <iostream>
 
-int main()
+int main(int argc, char* argv[])
 {
+  if (argc != 2)
+  {
+    std::cerr << "usage: consumer FILE\n";
+    return 2;
+  }
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(100);
   sphere->SetPhiResolution(100);
   vtkNew<vtkMultiTriangulationBuilder> builder;
   builder->SetInputConnection(sphere->GetOutputPort());
   builder->SetPatchTriangles(100);
-  builder->Update();
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputConnection(builder->GetOutputPort());
+  writer->SetFileName(argv[1]);
+  writer->Write();
 
-  auto* model = vtkMultiTriangulation::SafeDownCast(builder->GetOutput());
+  vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName(argv[1]);
+  reader->Update();
+  vtkMultiTriangulation* model = reader->GetOutput();
   if (!model || !model->GetSource())
   {
     std::cerr << "no model\n";
