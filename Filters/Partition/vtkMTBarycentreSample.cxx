@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTBarycentreSample.h"
+
+bool vtkMTBarycentreSample::IsTaken(std::size_t index, std::size_t stride)
+{
+  if (stride == 1)
+  {
+    return true;
+  }
+  // The finaliser of SplitMix64.
+  std::uint64_t hash = index / stride + 0x9e3779b97f4a7c15u;
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+  hash ^= hash >> 31;
+  return hash % stride == index % stride;
+}
+
+bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
+{
+  this->Points.clear();
+  this->Points.reserve(scan.GetNumberOfTriangles() / stride + 1);
+  this->Count = 0;
+  this->Largest = 0.0;
+  Point first = { 0.0, 0.0, 0.0 };
+  Point sum = { 0.0, 0.0, 0.0 };
+  const bool ok = scan.Scan(
+    [&](const Point* barycentres, std::size_t count)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        if (!IsFinite(barycentres[i]))
+        {
+          continue;
+        }
+        first = this->Count == 0 ? barycentres[i] : first;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          sum[axis] += barycentres[i][axis] - first[axis];
+          this->Largest = std::fmax(this->Largest, std::fabs(barycentres[i][axis]));
+        }
+        if (IsTaken(this->Count++, stride))
+        {
+          this->Points.push_back(barycentres[i]);
+        }
+      }
+    });
+  for (int axis = 0; ok && this->Count > 0 && axis < 3; ++axis)
+  {
+    this->Mean[axis] = first[axis] + sum[axis] / static_cast<double>(this->Count);
+  }
+  // The only run may have ended before its place.
+  if (ok && this->Count > 0 && this->Points.empty())
+  {
+    this->Points.push_back(this->Mean);
+  }
+  return ok;
+}

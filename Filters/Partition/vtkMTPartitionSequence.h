@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPartitionSequence
+ * @brief gives each cell of a vtkPolyData its regions in a partition sequence, coarser and coarser
+ *
+ * The partition sequence Psi_0, Psi_1, ..., Psi_n of Cignoni et al., "Batched Multi Triangulation" (2005), section 4, on one mesh:
+ * the target of Psi_i is FirstTarget times Growth to the power of i, and Psi_n, the first whose target is at least the number of
+ * cells, is one region. (In the construction of a Multi-Triangulation the mesh gets coarser instead, and the target stays.) A cell goes
+ * by its barycentre, the mean of its points, whatever kind of cell it is.
+ *
+ * Output: the input with one more cell array for each partition, named RegionArrayPrefix and its level ("Region_0", "Region_1",
+ * ...), vtkIdType, one component, so that each can be chosen for colouring, and any two of them for vtkMTCrossing; Region_0 becomes
+ * the active cell scalars. Cells without a finite barycentre are in region 0 of all partitions, with a warning. An input without
+ * cells gives no arrays. When the filter is aborted the output is empty.
+ */
+#ifndef vtkMTPartitionSequence_h
+#define vtkMTPartitionSequence_h
+
+#include "vtkMTPartitionModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For members
+
+#include <string> // For members
+
+class vtkMTPartitionStrategy;
+
+class VTKMTPARTITION_EXPORT vtkMTPartitionSequence : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMTPartitionSequence* New();
+  vtkTypeMacro(vtkMTPartitionSequence, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// How regions are placed. Default: vtkMTVoronoiPartition. A null pointer is an error of the filter.
+  void SetPartitionStrategy(vtkMTPartitionStrategy* strategy);
+  vtkMTPartitionStrategy* GetPartitionStrategy();
+  ///@}
+
+  ///@{
+  /// The wanted mean number of cells in a region of Psi_0. Default 1000; clamped to [1, 1e12].
+  vtkSetClampMacro(FirstTarget, double, 1.0, 1e12);
+  vtkGetMacro(FirstTarget, double);
+  ///@}
+
+  ///@{
+  /// Ratio of the targets of successive partitions. Default 2; clamped to [1.1, 1024].
+  vtkSetClampMacro(Growth, double, 1.1, 1024.0);
+  vtkGetMacro(Growth, double);
+  ///@}
+
+  ///@{
+  /// What the names of the cell arrays begin with. Default "Region_".
+  vtkSetStdStringFromCharMacro(RegionArrayPrefix);
+  vtkGetCharFromStdStringMacro(RegionArrayPrefix);
+  ///@}
+
+  /// Partitions of the last execution, n + 1.
+  vtkGetMacro(NumberOfLevels, int);
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkMTPartitionSequence();
+  ~vtkMTPartitionSequence() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkMTPartitionSequence(const vtkMTPartitionSequence&) = delete;
+  void operator=(const vtkMTPartitionSequence&) = delete;
+
+  int Partition(vtkPolyData* output);
+  int CountLevels(std::size_t cells) const;
+
+  vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
+  double FirstTarget = 1000.0;
+  double Growth = 2.0;
+  std::string RegionArrayPrefix = "Region_";
+  int NumberOfLevels = 0;
+};
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPartitionStrategy
+ * @brief how the regions of a partition are placed
+ *
+ * Strategies differ in nothing else; crossing, simplification, DAG, file and drawing do not know which one was used (BMT
+ * section 4). Results depend on the barycentres, their order, the settings and the level alone: not on threads or time.
+ */
+#ifndef vtkMTPartitionStrategy_h
+#define vtkMTPartitionStrategy_h
+
+#include "vtkMTPartition.h"
+#include "vtkMTPartitionModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <memory>
+#include <string>
+
+class VTKMTPARTITION_EXPORT vtkMTPartitionStrategy : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkMTPartitionStrategy, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Makes the partition of the given mesh with about `target` triangles in a region (mean; > 0). No region holds more than MaximumOverload
+   * times the target, except where barycentres coincide. A target of at least the number of triangles gives one
+   * region. level says which partition of the sequence this is (0 the finest): strategies that alternate use it, so that
+   * successive partitions do not share borders. Null when the scan failed.
+   */
+  virtual std::unique_ptr<vtkMTPartition> Build(vtkMTBarycentreScan& scan, double target, int level) const = 0;
+
+  /// Bound on triangles in a region over the target.
+  static constexpr double MaximumOverload = 4.0;
+
+  /// Short name for settings and messages: "v", "regular".
+  virtual const char* GetStrategyName() const = 0;
+  /// Name and every setting that has an influence on the result, for the model's settings.
+  virtual std::string GetSettings() const = 0;
+
+protected:
+  vtkMTPartitionStrategy();
+  ~vtkMTPartitionStrategy() override;
+
+private:
+  vtkMTPartitionStrategy(const vtkMTPartitionStrategy&) = delete;
+  void operator=(const vtkMTPartitionStrategy&) = delete;
+};
+
+#endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTSeedPartition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+vtkMTSeedPartition::vtkMTSeedPartition(std::vector<std::array<double, 3>> seeds)
+  : Seeds(std::move(seeds))
+{
+  std::size_t leaves = 1;
+  while (leaves * LeafSize < this->Seeds.size())
+  {
+    leaves *= 2;
+  }
+  this->Branches.resize(leaves - 1);
+  this->Leaves.resize(leaves);
+  std::vector<std::uint32_t> order(this->Seeds.size());
+  std::iota(order.begin(), order.end(), 0u);
+  this->BuildBranch(order, 0, 0, leaves);
+}
+
+vtkMTSeedPartition::~vtkMTSeedPartition() = default;
+
+std::uint32_t vtkMTSeedPartition::GetNumberOfRegions() const
+{
+  return static_cast<std::uint32_t>(this->Seeds.size());
+}
+
+std::array<double, 3> vtkMTSeedPartition::GetSeed(std::uint32_t region) const
+{
+  return this->Seeds[region];
+}
+
+std::size_t vtkMTSeedPartition::GetLeafBegin(std::size_t leaf) const
+{
+  return this->Seeds.size() * leaf / this->Leaves.size();
+}
+
+std::uint32_t vtkMTSeedPartition::GetWidestAxis(const std::uint32_t* begin, const std::uint32_t* end) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> lo = { infinity, infinity, infinity };
+  std::array<double, 3> hi = { -infinity, -infinity, -infinity };
+  for (const std::uint32_t* i = begin; i != end; ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lo[axis] = std::min(lo[axis], this->Seeds[*i][axis]);
+      hi[axis] = std::max(hi[axis], this->Seeds[*i][axis]);
+    }
+  }
+  std::uint32_t widest = 0;
+  for (std::uint32_t axis = 1; axis < 3; ++axis)
+  {
+    widest = hi[axis] - lo[axis] > hi[widest] - lo[widest] ? axis : widest;
+  }
+  return widest;
+}
+
+void vtkMTSeedPartition::BuildBranch(
+  std::vector<std::uint32_t>& order, std::size_t branch, std::size_t firstLeaf, std::size_t leaves)
+{
+  if (leaves == 1)
+  {
+    this->FillLeaf(order, firstLeaf);
+    return;
+  }
+  std::uint32_t* begin = order.data() + this->GetLeafBegin(firstLeaf);
+  std::uint32_t* middle = order.data() + this->GetLeafBegin(firstLeaf + leaves / 2);
+  std::uint32_t* end = order.data() + this->GetLeafBegin(firstLeaf + leaves);
+  const std::uint32_t axis = this->GetWidestAxis(begin, end);
+  std::nth_element(begin, middle, end,
+    [this, axis](std::uint32_t a, std::uint32_t b)
+    {
+      const double xa = this->Seeds[a][axis];
+      const double xb = this->Seeds[b][axis];
+      return xa != xb ? xa < xb : a < b;
+    });
+  this->Branches[branch] = { this->Seeds[*middle][axis], axis };
+  this->BuildBranch(order, 2 * branch + 1, firstLeaf, leaves / 2);
+  this->BuildBranch(order, 2 * branch + 2, firstLeaf + leaves / 2, leaves / 2);
+}
+
+void vtkMTSeedPartition::FillLeaf(std::vector<std::uint32_t>& order, std::size_t leaf)
+{
+  // Unused places hold infinity: their distance is never less than another's, so the search needs no count.
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Leaf& target = this->Leaves[leaf];
+  std::fill_n(target.X, LeafSize, infinity);
+  std::fill_n(target.Y, LeafSize, infinity);
+  std::fill_n(target.Z, LeafSize, infinity);
+  std::fill_n(target.Region, LeafSize, std::numeric_limits<std::uint32_t>::max());
+  const std::size_t begin = this->GetLeafBegin(leaf);
+  const std::size_t end = this->GetLeafBegin(leaf + 1);
+  std::sort(order.begin() + begin, order.begin() + end);
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::array<double, 3>& seed = this->Seeds[order[i]];
+    target.X[i - begin] = seed[0];
+    target.Y[i - begin] = seed[1];
+    target.Z[i - begin] = seed[2];
+    target.Region[i - begin] = order[i];
+  }
+}
+
+void vtkMTSeedPartition::SearchLeaf(const Leaf& leaf, const std::array<double, 3>& x, Best& best)
+{
+  // Two loops: the first has no branches, so that the compiler makes vector instructions of it.
+  double distance[LeafSize];
+  for (std::size_t i = 0; i < LeafSize; ++i)
+  {
+    const double dx = leaf.X[i] - x[0];
+    const double dy = leaf.Y[i] - x[1];
+    const double dz = leaf.Z[i] - x[2];
+    distance[i] = dx * dx + dy * dy + dz * dz;
+  }
+  for (std::size_t i = 0; i < LeafSize; ++i)
+  {
+    if (distance[i] < best.Distance || (distance[i] == best.Distance && leaf.Region[i] < best.Region))
+    {
+      best = { distance[i], leaf.Region[i] };
+    }
+  }
+}
+
+std::uint32_t vtkMTSeedPartition::Locate(const std::array<double, 3>& x) const
+{
+  // A subtree that may hold something nearer: its squared distance and, by axis, how far x is outside its cell.
+  struct Pending
+  {
+    double Bound;
+    std::array<double, 3> Outside;
+    std::size_t Node;
+  };
+  Pending stack[32]; // more than the depth of a tree of 2^32 seeds
+  int pending = 0;
+  Best best = { std::numeric_limits<double>::infinity(), 0 };
+  std::array<double, 3> outside = { 0.0, 0.0, 0.0 };
+  std::size_t node = 0;
+  for (;;)
+  {
+    while (node < this->Branches.size())
+    {
+      const Branch branch = this->Branches[node];
+      const double difference = x[branch.Axis] - branch.Split;
+      const bool upper = difference >= 0.0;
+      std::array<double, 3> far = outside;
+      far[branch.Axis] = std::abs(difference);
+      const double bound = far[0] * far[0] + far[1] * far[1] + far[2] * far[2];
+      if (bound <= best.Distance)
+      {
+        stack[pending++] = { bound, far, 2 * node + (upper ? 1 : 2) };
+      }
+      node = 2 * node + (upper ? 2 : 1);
+    }
+    SearchLeaf(this->Leaves[node - this->Branches.size()], x, best);
+    do
+    {
+      if (pending == 0)
+      {
+        return best.Region;
+      }
+      --pending;
+    } while (stack[pending].Bound > best.Distance);
+    outside = stack[pending].Outside;
+    node = stack[pending].Node;
+  }
+}
