@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTFanMesh.h"
+
+#include <algorithm>
+#include <utility>
+
+bool vtkMTFanMesh::Build(const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::string& error)
+{
+  if (locked.size() != floor.Points.size())
+  {
+    error = "there are " + std::to_string(floor.Points.size()) + " points but " + std::to_string(locked.size()) + " locks";
+    return false;
+  }
+  if (!this->TakeTriangles(floor, error))
+  {
+    return false;
+  }
+  // Until the fans are known, Vertex holds points.
+  this->PairEdges(floor.Points.size());
+  this->SplitIntoFans(floor.Points.size(), locked);
+  if (!floor.WedgePoints.empty())
+  {
+    this->FindSeams();
+  }
+  return true;
+}
+
+bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
+{
+  const std::size_t triangles = floor.Triangles.size();
+  if (triangles >= std::size_t(None) / 3)
+  {
+    error = std::to_string(triangles) + " triangles are too many for one region";
+    return false;
+  }
+  const std::size_t wedges = floor.GetNumberOfWedges();
+  const std::size_t points = floor.Points.size();
+  this->Vertex.reserve(3 * triangles);
+  this->Wedge.reserve(3 * triangles);
+  for (std::size_t t = 0; t < triangles; ++t)
+  {
+    const vtkMTTriangle& w = floor.Triangles[t];
+    if (w[0] >= wedges || w[1] >= wedges || w[2] >= wedges)
+    {
+      error = "triangle " + std::to_string(t) + " has a wedge that does not exist";
+      return false;
+    }
+    const vtkMTTriangle p = floor.GetPointsOfTriangle(t);
+    if (p[0] >= points || p[1] >= points || p[2] >= points)
+    {
+      error = "a wedge of triangle " + std::to_string(t) + " has a point that does not exist";
+      return false;
+    }
+    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0])
+    {
+      continue;
+    }
+    this->Vertex.insert(this->Vertex.end(), p.begin(), p.end());
+    this->Wedge.insert(this->Wedge.end(), w.begin(), w.end());
+  }
+  return true;
+}
+
+// Edges between the same two points come together by a counting sort on the smaller point and a small sort on the
+// larger one.
+void vtkMTFanMesh::PairEdges(std::size_t points)
+{
+  const auto corners = static_cast<std::uint32_t>(this->Vertex.size());
+  this->Opposite.assign(corners, None);
+  std::vector<std::uint32_t> first(points + 1, 0);
+  for (std::uint32_t c = 0; c < corners; ++c)
+  {
+    ++first[std::min(this->Vertex[c], this->Vertex[Next(c)]) + 1];
+  }
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    first[p + 1] += first[p];
+  }
+  struct Entry
+  {
+    std::uint32_t Far;
+    std::uint32_t Edge;
+    bool operator<(const Entry& other) const
+    {
+      return this->Far != other.Far ? this->Far < other.Far : this->Edge < other.Edge;
+    }
+  };
+  std::vector<Entry> sorted(corners);
+  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
+  for (std::uint32_t c = 0; c < corners; ++c)
+  {
+    const std::uint32_t a = this->Vertex[c];
+    const std::uint32_t b = this->Vertex[Next(c)];
+    sorted[fill[std::min(a, b)]++] = { std::max(a, b), c };
+  }
+  std::vector<std::uint32_t> equal;
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    const auto begin = sorted.begin() + first[p];
+    const auto end = sorted.begin() + first[p + 1];
+    std::sort(begin, end);
+    for (auto i = begin; i != end;)
+    {
+      equal.clear();
+      const std::uint32_t far = i->Far;
+      for (; i != end && i->Far == far; ++i)
+      {
+        equal.push_back(i->Edge);
+      }
+      this->PairEqual(equal);
+    }
+  }
+}
+
+// Pairs edges that join the same two points (or vertices) when they are two, opposite, and not of twin triangles.
+void vtkMTFanMesh::PairEqual(std::vector<std::uint32_t>& edges)
+{
+  if (edges.size() != 2)
+  {
+    return;
+  }
+  const std::uint32_t e = edges[0];
+  const std::uint32_t f = edges[1];
+  if (this->Vertex[e] == this->Vertex[Next(f)] && this->Vertex[Previous(e)] != this->Vertex[Previous(f)])
+  {
+    this->Opposite[e] = f;
+    this->Opposite[f] = e;
+  }
+}
+
+void vtkMTFanMesh::SplitIntoFans(std::size_t points, const std::vector<unsigned char>& locked)
+{
+  const auto corners = static_cast<std::uint32_t>(this->Vertex.size());
+  std::vector<std::uint32_t> vertexOfCorner(corners, None);
+  std::vector<std::uint32_t> vertexOfPoint(points, None); // its first fan
+  this->Point.clear();
+  this->Lock.clear();
+  bool split = false;
+  for (std::uint32_t c = 0; c < corners; ++c)
+  {
+    if (vertexOfCorner[c] != None)
+    {
+      continue;
+    }
+    const std::uint32_t point = this->Vertex[c];
+    const auto vertex = static_cast<std::uint32_t>(this->Point.size());
+    this->Point.push_back(point);
+    this->Lock.push_back(locked[point] ? Outside : Free);
+    if (vertexOfPoint[point] == None)
+    {
+      vertexOfPoint[point] = vertex;
+    }
+    else
+    {
+      split = true;
+      this->Lock[vertexOfPoint[point]] |= NonManifold;
+      this->Lock[vertex] |= NonManifold;
+    }
+    this->WalkFan(c, vertex, vertexOfCorner);
+  }
+  this->Vertex.swap(vertexOfCorner);
+  if (split)
+  {
+    this->PairAgain();
+  }
+}
+
+void vtkMTFanMesh::WalkFan(
+  std::uint32_t corner, std::uint32_t vertex, std::vector<std::uint32_t>& vertexOfCorner) const
+{
+  std::uint32_t c = corner;
+  do
+  {
+    vertexOfCorner[c] = vertex;
+    c = this->Opposite[Previous(c)];
+  } while (c != None && c != corner);
+  if (c == corner)
+  {
+    return;
+  }
+  for (c = this->Opposite[corner]; c != None; c = this->Opposite[c])
+  {
+    c = Next(c);
+    vertexOfCorner[c] = vertex;
+  }
+}
+
+void vtkMTFanMesh::PairAgain()
+{
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> open;
+  for (std::uint32_t c = 0; c < this->Vertex.size(); ++c)
+  {
+    const std::uint32_t a = this->Vertex[c];
+    const std::uint32_t b = this->Vertex[Next(c)];
+    if (this->Opposite[c] == None && (this->Lock[a] & NonManifold) && (this->Lock[b] & NonManifold))
+    {
+      open.push_back({ { std::min(a, b), std::max(a, b) }, c });
+    }
+  }
+  std::sort(open.begin(), open.end());
+  std::vector<std::uint32_t> equal;
+  for (std::size_t i = 0; i < open.size();)
+  {
+    equal.clear();
+    const auto key = open[i].first;
+    for (; i < open.size() && open[i].first == key; ++i)
+    {
+      equal.push_back(open[i].second);
+    }
+    this->PairEqual(equal);
+  }
+}
+
+void vtkMTFanMesh::FindSeams()
+{
+  for (std::uint32_t e = 0; e < this->Opposite.size(); ++e)
+  {
+    const std::uint32_t f = this->Opposite[e];
+    if (f != None && (this->Wedge[e] != this->Wedge[Next(f)] || this->Wedge[Next(e)] != this->Wedge[f]))
+    {
+      this->Seams = true;
+      return;
+    }
+  }
+}
