@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTArcRecord.h"
+
+#include "vtkMTPatch.h"
+#include "vtkMTVector.h"
+
+#include <algorithm>
+#include <vector>
+
+using namespace vtkMTVector;
+
+namespace
+{
+// The mean of the triangles' directions and the widest angle to it. A degenerate triangle has no direction and is never seen.
+void SetCone(const vtkMTPatch& patch, vtkMTArc& arc)
+{
+  std::vector<Vector> normals;
+  normals.reserve(patch.Triangles.size());
+  Vector sum{ 0.0, 0.0, 0.0 };
+  for (std::size_t t = 0; t < patch.Triangles.size(); ++t)
+  {
+    const vtkMTTriangle p = patch.GetPointsOfTriangle(t);
+    std::array<Vector, 3> x;
+    for (int c = 0; c < 3; ++c)
+    {
+      const vtkMTPoint& k = patch.Points[p[c]];
+      x[c] = { static_cast<double>(k[0]), static_cast<double>(k[1]), static_cast<double>(k[2]) };
+    }
+    const Vector normal = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
+    const double length = Norm(normal);
+    if (length > 0.0)
+    {
+      normals.push_back(Scale(normal, 1.0 / length));
+      sum = Add(sum, normals.back());
+    }
+  }
+  const double length = Norm(sum);
+  if (!(length > 0.0))
+  {
+    return;
+  }
+  const Vector axis = Scale(sum, 1.0 / length);
+  double cosine = 1.0;
+  for (const Vector& normal : normals)
+  {
+    cosine = std::min(cosine, Dot(normal, axis));
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    arc.ConeAxis[i] = static_cast<float>(axis[i]);
+  }
+  arc.ConeCosine = static_cast<float>(cosine - 1e-6); // covers the rounding of axis and cosine to single precision
+}
+}
+
+vtkMTArc vtkMTMakeArcRecord(const vtkMTPatch& patch, double step)
+{
+  vtkMTArc arc;
+  arc.Triangles = static_cast<std::uint32_t>(patch.Triangles.size());
+  arc.Points = static_cast<std::uint32_t>(patch.Points.size());
+  arc.Wedges = static_cast<std::uint32_t>(patch.GetNumberOfWedges());
+  arc.SharedPoints = static_cast<std::uint32_t>(patch.Ids.size());
+  arc.Box = patch.GetBox();
+  arc.MeanEdgeLength = static_cast<float>(patch.GetMeanEdgeLength() * step);
+  SetCone(patch, arc);
+  return arc;
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPatchSplitter.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace
+{
+vtkMTColumn Gather(const vtkMTColumn& column, std::size_t tupleSize, const std::vector<std::uint32_t>& tuples)
+{
+  vtkMTColumn result(column.empty() ? 0 : tuples.size() * tupleSize);
+  for (std::size_t i = 0; !column.empty() && i < tuples.size(); ++i)
+  {
+    std::memcpy(result.data() + i * tupleSize, column.data() + tuples[i] * tupleSize, tupleSize);
+  }
+  return result;
+}
+
+std::vector<std::size_t> GetTupleSizes(const std::vector<vtkMTColumn>& columns, std::size_t tuples)
+{
+  std::vector<std::size_t> sizes;
+  for (const vtkMTColumn& column : columns)
+  {
+    sizes.push_back(tuples > 0 ? column.size() / tuples : 0);
+  }
+  return sizes;
+}
+
+// Triangles in order of region, each region's in increasing order; first[i] is where the i-th of `regions` begins.
+struct Groups
+{
+  std::vector<std::uint32_t> Triangles;
+  std::vector<std::uint32_t> Regions;
+  std::vector<std::size_t> First;
+
+  explicit Groups(const std::vector<std::uint32_t>& regions)
+    : Triangles(regions.size())
+  {
+    std::iota(this->Triangles.begin(), this->Triangles.end(), 0u);
+    std::stable_sort(this->Triangles.begin(), this->Triangles.end(),
+      [&regions](std::uint32_t a, std::uint32_t b) { return regions[a] < regions[b]; });
+    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+    {
+      const std::uint32_t region = regions[this->Triangles[i]];
+      if (this->Regions.empty() || this->Regions.back() != region)
+      {
+        this->Regions.push_back(region);
+        this->First.push_back(i);
+      }
+    }
+    this->First.push_back(this->Triangles.size());
+  }
+  std::vector<std::uint32_t> GetTriangles(std::size_t group) const
+  {
+    return { this->Triangles.begin() + static_cast<std::ptrdiff_t>(this->First[group]),
+      this->Triangles.begin() + static_cast<std::ptrdiff_t>(this->First[group + 1]) };
+  }
+};
+
+// Which points are used by more than one group, and by which groups those are that the fragment shares.
+void FindShared(const vtkMTPatch& fragment, const Groups& groups, std::vector<unsigned char>& isShared,
+  std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses)
+{
+  constexpr std::uint32_t none = vtkMTPatchSplitter::None;
+  std::vector<std::uint32_t> lastUser(fragment.Points.size(), none);
+  for (std::uint32_t g = 0; g < groups.Regions.size(); ++g)
+  {
+    for (std::size_t i = groups.First[g]; i < groups.First[g + 1]; ++i)
+    {
+      for (std::uint32_t p : fragment.GetPointsOfTriangle(groups.Triangles[i]))
+      {
+        if (lastUser[p] == g)
+        {
+          continue;
+        }
+        isShared[p] = isShared[p] || lastUser[p] != none ? 1 : 0;
+        lastUser[p] = g;
+        if (p < fragment.Ids.size())
+        {
+          uses.emplace_back(fragment.Ids[p], groups.Regions[g]);
+        }
+      }
+    }
+  }
+}
+}
+
+vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& triangles,
+  const std::vector<unsigned char>& isShared, const std::vector<std::uint64_t>& ids,
+  const std::vector<std::size_t>& pointTupleSizes, const std::vector<std::size_t>& cellTupleSizes,
+  std::vector<std::uint32_t>& scratch)
+{
+  vtkMTPatch patch;
+  const std::size_t wedgeCount = mesh.GetNumberOfWedges();
+  std::vector<std::uint32_t> points;
+  std::vector<std::uint32_t> wedges;
+  for (std::uint32_t t : triangles)
+  {
+    for (std::uint32_t w : mesh.Triangles[t])
+    {
+      if (scratch[w] != None)
+      {
+        continue;
+      }
+      scratch[w] = 0;
+      wedges.push_back(w);
+      const std::uint32_t p = mesh.GetPointOfWedge(w);
+      if (scratch[wedgeCount + p] == None)
+      {
+        scratch[wedgeCount + p] = 0;
+        points.push_back(p);
+      }
+    }
+  }
+  std::sort(points.begin(), points.end());
+  std::stable_partition(points.begin(), points.end(), [&isShared](std::uint32_t p) { return isShared[p] != 0; });
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+  {
+    scratch[wedgeCount + points[i]] = i;
+    patch.Points.push_back(mesh.Points[points[i]]);
+    if (isShared[points[i]])
+    {
+      patch.Ids.push_back(ids[points[i]]);
+    }
+  }
+  const auto newPoint = [&](std::uint32_t w) { return scratch[wedgeCount + mesh.GetPointOfWedge(w)]; };
+  std::sort(wedges.begin(), wedges.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return newPoint(a) != newPoint(b) ? newPoint(a) < newPoint(b) : a < b; });
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+  {
+    scratch[wedges[i]] = i;
+    if (wedges.size() != points.size())
+    {
+      patch.WedgePoints.push_back(newPoint(wedges[i]));
+    }
+  }
+  patch.Triangles.reserve(triangles.size());
+  for (std::uint32_t t : triangles)
+  {
+    const vtkMTTriangle& w = mesh.Triangles[t];
+    patch.Triangles.push_back({ scratch[w[0]], scratch[w[1]], scratch[w[2]] });
+  }
+  for (std::size_t i = 0; i < mesh.PointColumns.size(); ++i)
+  {
+    patch.PointColumns.push_back(Gather(mesh.PointColumns[i], pointTupleSizes[i], wedges));
+  }
+  for (std::size_t i = 0; i < mesh.CellColumns.size(); ++i)
+  {
+    patch.CellColumns.push_back(Gather(mesh.CellColumns[i], cellTupleSizes[i], triangles));
+  }
+  for (std::uint32_t w : wedges)
+  {
+    scratch[w] = None;
+  }
+  for (std::uint32_t p : points)
+  {
+    scratch[wedgeCount + p] = None;
+  }
+  return patch;
+}
+
+vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const std::vector<std::uint32_t>& regions,
+  std::uint32_t level, std::uint32_t fragmentRegion)
+{
+  vtkMTPatchSplitter result;
+  const Groups groups(regions);
+  std::vector<unsigned char> isShared(fragment.Points.size(), 0);
+  std::fill(isShared.begin(), isShared.begin() + static_cast<std::ptrdiff_t>(fragment.Ids.size()), 1);
+  FindShared(fragment, groups, isShared, result.Uses);
+  std::vector<std::uint64_t> ids = fragment.Ids;
+  ids.resize(fragment.Points.size(), 0);
+  for (std::size_t p = fragment.Ids.size(); p < ids.size(); ++p)
+  {
+    if (isShared[p])
+    {
+      ids[p] = MakeId(level, fragmentRegion, static_cast<std::uint32_t>(p));
+      result.LockedIds.push_back(ids[p]);
+    }
+  }
+  const auto pointTupleSizes = GetTupleSizes(fragment.PointColumns, fragment.GetNumberOfWedges());
+  const auto cellTupleSizes = GetTupleSizes(fragment.CellColumns, fragment.Triangles.size());
+  std::vector<std::uint32_t> scratch(fragment.GetNumberOfWedges() + fragment.Points.size(), None);
+  for (std::size_t g = 0; g < groups.Regions.size(); ++g)
+  {
+    result.Pieces.push_back({ groups.Regions[g],
+      Extract(fragment, groups.GetTriangles(g), isShared, ids, pointTupleSizes, cellTupleSizes, scratch) });
+  }
+  return result;
+}
