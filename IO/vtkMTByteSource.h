@@ -3,8 +3,8 @@
  * @class vtkMTByteSource
  * @brief bytes that can be read by range: a file, a block of memory, a server
  *
- * Everything that the toolkit reads, it reads through this class and by ranges alone, so that a server of byte ranges can
- * stand in for a file.
+ * Everything that the toolkit reads, it reads through this class and by ranges alone, so that a server of byte ranges
+ * can stand in for a file.
  *
  * Threads: all members may be called from any number of threads at once.
  */
@@ -26,8 +26,8 @@ public:
   virtual std::uint64_t GetSize() const = 0;
 
   /**
-   * Copies the bytes offset .. offset+count-1 to destination. False, with the reason in error, when not all of them can be
-   * had; what destination then holds is undefined. A range that passes the end is an error, never a short read.
+   * Copies the bytes offset .. offset+count-1 to destination. False, with the reason in error, when not all of them can
+   * be had; what destination then holds is undefined. A range that passes the end is an error, never a short read.
    */
   virtual bool Read(std::uint64_t offset, std::size_t count, void* destination, std::string& error) const = 0;
 

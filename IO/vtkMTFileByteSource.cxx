@@ -47,8 +47,7 @@ std::unique_ptr<vtkMTFileByteSource> vtkMTFileByteSource::Open(const std::string
     new vtkMTFileByteSource(path, descriptor, static_cast<std::uint64_t>(status.st_size)));
 }
 
-bool vtkMTFileByteSource::Read(
-  std::uint64_t offset, std::size_t count, void* destination, std::string& error) const
+bool vtkMTFileByteSource::Read(std::uint64_t offset, std::size_t count, void* destination, std::string& error) const
 {
   if (offset > this->Size || count > this->Size - offset)
   {

@@ -3,8 +3,8 @@
  * @class vtkMTFileByteSource
  * @brief a file as a byte source
  *
- * Positioned block reads, no memory map: pages of a map count as the process's own memory, and this toolkit keeps limits.
- * A file that is replaced by rename while it is open stays readable as it was.
+ * Positioned block reads, no memory map: pages of a map count as the process's own memory, and this toolkit keeps
+ * limits. A file that is replaced by rename while it is open stays readable as it was.
  */
 #ifndef vtkMTFileByteSource_h
 #define vtkMTFileByteSource_h

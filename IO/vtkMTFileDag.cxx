@@ -121,8 +121,9 @@ public:
     std::uint8_t kinds[4];
     std::uint32_t names = 0;
     if (!this->Get(array.Name) || !this->Get(type) || !this->Get(components) || !this->Get(attribute) ||
-      !this->Get(tupleSize) || !this->Get(kinds) || !this->Get(names) || components < 1 || kinds[0] > vtkMTArrayInfo::Cell ||
-      kinds[1] > vtkMTArrayInfo::Direction || kinds[2] > vtkMTArrayInfo::MadeNormals || kinds[3] != 0 ||
+      !this->Get(tupleSize) || !this->Get(kinds) || !this->Get(names) || components < 1 ||
+      kinds[0] > vtkMTArrayInfo::Cell || kinds[1] > vtkMTArrayInfo::Direction ||
+      kinds[2] > vtkMTArrayInfo::MadeNormals || kinds[3] != 0 ||
       (names != 0 && names != static_cast<std::uint32_t>(components)))
     {
       return false;
@@ -179,7 +180,8 @@ struct Layout
     : NodeOffset(sizeof(Header))
     , ArcOffset(Align(this->NodeOffset + std::uint64_t(nodes) * sizeof(NodeRecord)))
     , DirectoryOffset(Align(this->ArcOffset + std::uint64_t(arcs) * sizeof(ArcRecord)))
-    , MetadataOffset(Align(this->DirectoryOffset + std::uint64_t(arcs) * (std::uint64_t(arrays) + 1) * sizeof(SectionRecord)))
+    , MetadataOffset(
+        Align(this->DirectoryOffset + std::uint64_t(arcs) * (std::uint64_t(arrays) + 1) * sizeof(SectionRecord)))
     , PatchOffset(Align(this->MetadataOffset + metadataSize))
   {
   }
@@ -296,14 +298,15 @@ bool CheckArc(const vtkMTArc& arc, std::size_t nodes)
 }
 
 // The sections lie one after the other, from the first byte after the DAG block to the end of the file.
-bool CheckDirectory(const std::vector<SectionRecord>& directory, std::uint64_t begin, std::uint64_t end, std::string& error)
+bool CheckDirectory(
+  const std::vector<SectionRecord>& directory, std::uint64_t begin, std::uint64_t end, std::string& error)
 {
   std::uint64_t expected = begin;
   for (std::size_t i = 0; i < directory.size(); ++i)
   {
     const SectionRecord& section = directory[i];
-    if (section.Offset != expected || section.StoredSize > end - expected || Align(section.StoredSize) > end - expected ||
-      section.Reserved != 0)
+    if (section.Offset != expected || section.StoredSize > end - expected ||
+      Align(section.StoredSize) > end - expected || section.Reserved != 0)
     {
       error = "entry " + std::to_string(i) + " of its directory is impossible";
       return false;
@@ -320,7 +323,8 @@ bool CheckDirectory(const std::vector<SectionRecord>& directory, std::uint64_t b
 
 bool CheckHeader(const Header& header, std::uint64_t size, std::string& error)
 {
-  if (Checksum(&header, offsetof(Header, HeaderChecksum)) != header.HeaderChecksum || header.HeaderSize != sizeof(Header))
+  if (Checksum(&header, offsetof(Header, HeaderChecksum)) != header.HeaderChecksum ||
+    header.HeaderSize != sizeof(Header))
   {
     error = "its header is damaged: the checksum is wrong";
     return false;
@@ -431,8 +435,8 @@ bool Check(const vtkMTGraph& graph, std::string& error)
       error = "arc " + std::to_string(i) + " is impossible";
       return false;
     }
-    if (i > 0 && (arc.From < graph.Arcs[i - 1].From ||
-                   (arc.From == graph.Arcs[i - 1].From && arc.To < graph.Arcs[i - 1].To)))
+    if (i > 0 &&
+      (arc.From < graph.Arcs[i - 1].From || (arc.From == graph.Arcs[i - 1].From && arc.To < graph.Arcs[i - 1].To)))
     {
       error = "arc " + std::to_string(i) + " is out of order";
       return false;
@@ -494,8 +498,7 @@ void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std:
   std::memcpy(bytes.data(), &header, sizeof(Header));
 }
 
-bool Decode(
-  const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<SectionRecord>& directory, std::string& error)
+bool Decode(const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<SectionRecord>& directory, std::string& error)
 {
   graph = vtkMTGraph();
   directory.clear();

@@ -18,9 +18,9 @@ struct vtkMTFileSink::Internals
   std::string Path;
   std::vector<vtkMTArrayInfo> Arrays;
   vtkMTTemporaryFile Spool;
-  std::vector<SectionRecord> Sections;                // of the patches in the order of writing; offsets in the spool
-  std::vector<std::array<std::uint32_t, 4>> Counts;   // points, wedges, triangles, shared points of each patch
-  std::vector<unsigned char> Bytes;                   // of the patch in hand
+  std::vector<SectionRecord> Sections;              // of the patches in the order of writing; offsets in the spool
+  std::vector<std::array<std::uint32_t, 4>> Counts; // points, wedges, triangles, shared points of each patch
+  std::vector<unsigned char> Bytes;                 // of the patch in hand
   std::vector<SectionRecord> PatchSections;
   std::uint64_t FileSize = 0;
 
@@ -53,9 +53,9 @@ struct vtkMTFileSink::Internals
       section.Offset += begin;
       this->Sections.push_back(section);
     }
-    this->Counts.push_back({ static_cast<std::uint32_t>(patch.Points.size()),
-      static_cast<std::uint32_t>(patch.GetNumberOfWedges()), static_cast<std::uint32_t>(patch.Triangles.size()),
-      static_cast<std::uint32_t>(patch.Ids.size()) });
+    this->Counts.push_back(
+      { static_cast<std::uint32_t>(patch.Points.size()), static_cast<std::uint32_t>(patch.GetNumberOfWedges()),
+        static_cast<std::uint32_t>(patch.Triangles.size()), static_cast<std::uint32_t>(patch.Ids.size()) });
     return true;
   }
 

@@ -3,10 +3,10 @@
  * @class vtkMTFileSink
  * @brief a patch sink that makes a Multi-Triangulation file
  *
- * Patches come finest first and lie in the file coarsest first, after the DAG, which is known last. So WritePatch appends
- * each one, encoded, to a nameless temporary file in the output's folder, and Finish copies them in arc order behind header
- * and DAG into a file that is published whole (vtkMTOutputFile). What stays in memory is one directory entry per section
- * and the patch in hand. The disk must have room for the model twice while Finish runs.
+ * Patches come finest first and lie in the file coarsest first, after the DAG, which is known last. So WritePatch
+ * appends each one, encoded, to a nameless temporary file in the output's folder, and Finish copies them in arc order
+ * behind header and DAG into a file that is published whole (vtkMTOutputFile). What stays in memory is one directory
+ * entry per section and the patch in hand. The disk must have room for the model twice while Finish runs.
  *
  * The bytes depend on the patches and the graph alone.
  */

@@ -22,7 +22,8 @@ struct vtkMTFileSource::Internals
 
   // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes).
   template <typename Use>
-  bool Read(const SectionRecord* sections, const std::vector<unsigned char>& wanted, std::string& error, Use&& use) const
+  bool Read(
+    const SectionRecord* sections, const std::vector<unsigned char>& wanted, std::string& error, Use&& use) const
   {
     std::vector<unsigned char> buffer;
     for (std::size_t first = 0; first < wanted.size();)
@@ -140,12 +141,14 @@ bool vtkMTFileSource::ReadPatch(
     }
     const vtkMTArc& record = this->Graph.Arcs[arc];
     const SectionRecord* sections = this->Implementation->SectionsOf(arc, arrayCount);
-    done = this->Implementation->Read(sections, wanted, reason, [&](std::size_t section, const unsigned char* data) {
-      const std::uint64_t size = sections[section].StoredSize;
-      return section == 0 ? vtkMTPatchCodec::DecodeGeometry(data, size, record, patch, reason)
-                          : vtkMTPatchCodec::DecodeColumn(
-                              data, size, record, this->Graph.Arrays[section - 1], *columns[section - 1], reason);
-    });
+    done = this->Implementation->Read(sections, wanted, reason,
+      [&](std::size_t section, const unsigned char* data)
+      {
+        const std::uint64_t size = sections[section].StoredSize;
+        return section == 0 ? vtkMTPatchCodec::DecodeGeometry(data, size, record, patch, reason)
+                            : vtkMTPatchCodec::DecodeColumn(
+                                data, size, record, this->Graph.Arrays[section - 1], *columns[section - 1], reason);
+      });
   }
   catch (const std::bad_alloc&)
   {

@@ -3,10 +3,10 @@
  * @class vtkMTFileSource
  * @brief a Multi-Triangulation file as a patch source
  *
- * Open reads header and DAG, checks their checksums and every length, offset, index and count in them, and keeps them in
- * memory; patches are read when they are asked for, by one positioned read for each run of neighbouring sections, and
- * the checksum of each section is verified then. Only the sections of the arrays that are asked for are read. The layout is
- * in Documentation/file-format.md.
+ * Open reads header and DAG, checks their checksums and every length, offset, index and count in them, and keeps them
+ * in memory; patches are read when they are asked for, by one positioned read for each run of neighbouring sections,
+ * and the checksum of each section is verified then. Only the sections of the arrays that are asked for are read. The
+ * layout is in Documentation/file-format.md.
  *
  * Threads: after Open, all const members may be called from any number of threads at once.
  */
@@ -40,8 +40,8 @@ public:
   static bool CanRead(const std::string& path);
 
   const vtkMTGraph& GetGraph() const override { return this->Graph; }
-  bool ReadPatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch,
-    std::string& error) const override;
+  bool ReadPatch(
+    std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override;
   std::uint64_t GetPatchSize(std::uint32_t arc) const override;
   std::string GetName() const override;
 

@@ -3,11 +3,11 @@
  * @class vtkMTOutputFile
  * @brief a file that is published whole or not at all
  *
- * Open makes a new file with a temporary name in the folder of the wanted one; Write appends to it; Commit makes it durable
- * (fsync), gives it the wanted name (rename, which replaces an earlier file in one step) and makes the name durable (fsync
- * of the folder). Until Commit has succeeded an earlier file of that name is untouched; after a failure, Abandon or
- * destruction nothing of the new one remains. Where the wanted name is a symbolic link, the file that it points to is
- * replaced and the link stays. A name that is in use by something else than a regular file is refused.
+ * Open makes a new file with a temporary name in the folder of the wanted one; Write appends to it; Commit makes it
+ * durable (fsync), gives it the wanted name (rename, which replaces an earlier file in one step) and makes the name
+ * durable (fsync of the folder). Until Commit has succeeded an earlier file of that name is untouched; after a failure,
+ * Abandon or destruction nothing of the new one remains. Where the wanted name is a symbolic link, the file that it
+ * points to is replaced and the link stays. A name that is in use by something else than a regular file is refused.
  */
 #ifndef vtkMTOutputFile_h
 #define vtkMTOutputFile_h

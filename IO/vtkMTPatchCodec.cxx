@@ -168,11 +168,13 @@ bool DecodePoints(
 {
   points.resize(record.Points);
   bool inRange = true;
-  data = ReadNumbers(data, std::size_t(3) * record.Points, record.CoordinateWidth, [&](std::size_t i, std::uint64_t value) {
-    const std::int64_t place = record.Corner[i % 3] + static_cast<std::int64_t>(value);
-    inRange = inRange && place <= std::numeric_limits<std::int32_t>::max();
-    points[i / 3][i % 3] = static_cast<std::int32_t>(place);
-  });
+  data = ReadNumbers(data, std::size_t(3) * record.Points, record.CoordinateWidth,
+    [&](std::size_t i, std::uint64_t value)
+    {
+      const std::int64_t place = record.Corner[i % 3] + static_cast<std::int64_t>(value);
+      inRange = inRange && place <= std::numeric_limits<std::int32_t>::max();
+      points[i / 3][i % 3] = static_cast<std::int32_t>(place);
+    });
   error = inRange ? error : "has a point outside the lattice";
   return inRange;
 }
@@ -182,10 +184,12 @@ template <typename Put>
 bool DecodeIndices(const unsigned char*& data, std::size_t count, unsigned width, std::uint32_t limit, Put&& put)
 {
   bool inRange = true;
-  data = ReadNumbers(data, count, width, [&](std::size_t i, std::uint64_t value) {
-    inRange = inRange && value < limit;
-    put(i, static_cast<std::uint32_t>(value));
-  });
+  data = ReadNumbers(data, count, width,
+    [&](std::size_t i, std::uint64_t value)
+    {
+      inRange = inRange && value < limit;
+      put(i, static_cast<std::uint32_t>(value));
+    });
   return inRange;
 }
 }
@@ -302,7 +306,8 @@ bool DecodeColumn(const unsigned char* data, std::uint64_t size, const vtkMTArc&
   const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles;
   if (size != tuples * array.GetTupleSize())
   {
-    error = "has " + std::to_string(size) + " bytes where " + std::to_string(tuples * array.GetTupleSize()) + " are expected";
+    error =
+      "has " + std::to_string(size) + " bytes where " + std::to_string(tuples * array.GetTupleSize()) + " are expected";
     return false;
   }
   column.assign(data, data + size);

@@ -13,8 +13,8 @@
 namespace vtkMTPatchCodec
 {
 /**
- * Replaces bytes by the patch's sections, each padded to the alignment, and sections by their records, whose offsets count from
- * the first of these bytes. False when the patch is inconsistent.
+ * Replaces bytes by the patch's sections, each padded to the alignment, and sections by their records, whose offsets
+ * count from the first of these bytes. False when the patch is inconsistent.
  */
 bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, std::vector<unsigned char>& bytes,
   std::vector<vtkMTFileFormat::SectionRecord>& sections, std::string& error);

@@ -3,8 +3,8 @@
  * @class vtkMTTemporaryFile
  * @brief a nameless file: written at its end, read anywhere, gone with the process
  *
- * It is made in a given folder, so that it fills the disk that the user has chosen for the output, and loses its name at
- * once: whatever ends the process, nothing remains.
+ * It is made in a given folder, so that it fills the disk that the user has chosen for the output, and loses its name
+ * at once: whatever ends the process, nothing remains.
  */
 #ifndef vtkMTTemporaryFile_h
 #define vtkMTTemporaryFile_h

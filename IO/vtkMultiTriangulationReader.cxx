@@ -70,7 +70,8 @@ int vtkMultiTriangulationReader::RequestDataObject(
   return 1;
 }
 
-int vtkMultiTriangulationReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkMultiTriangulationReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector);
   output->Initialize();
@@ -87,8 +88,8 @@ int vtkMultiTriangulationReader::RequestData(vtkInformation*, vtkInformationVect
   {
     const bool exists = vtksys::SystemTools::PathExists(this->FileName);
     const bool opens = vtkMTFileByteSource::Open(this->FileName, error) != nullptr;
-    this->SetErrorCode(!exists ? vtkErrorCode::FileNotFoundError
-        : !opens               ? vtkErrorCode::CannotOpenFileError
+    this->SetErrorCode(!exists                     ? vtkErrorCode::FileNotFoundError
+        : !opens                                   ? vtkErrorCode::CannotOpenFileError
         : vtkMTFileSource::CanRead(this->FileName) ? vtkErrorCode::FileFormatError
                                                    : vtkErrorCode::UnrecognizedFileTypeError);
     vtkErrorMacro(<< error);

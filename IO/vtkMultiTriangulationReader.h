@@ -3,10 +3,10 @@
  * @class vtkMultiTriangulationReader
  * @brief reads a Multi-Triangulation file (.bmt)
  *
- * The output is a vtkMultiTriangulation: its points and cells are the coarsest cut, and it carries a handle to the file, from
- * which the toolkit's mapper and filters take other patches when they need them. So reading a file of any size takes the time
- * and the memory of its DAG and its coarsest patches. The file must stay in place while the output is in use; replacing
- * it by rename does no harm.
+ * The output is a vtkMultiTriangulation: its points and cells are the coarsest cut, and it carries a handle to the
+ * file, from which the toolkit's mapper and filters take other patches when they need them. So reading a file of any
+ * size takes the time and the memory of its DAG and its coarsest patches. The file must stay in place while the output
+ * is in use; replacing it by rename does no harm.
  *
  * Errors: vtkErrorMacro, and an error code (vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError,
  * UnrecognizedFileTypeError, FileFormatError).

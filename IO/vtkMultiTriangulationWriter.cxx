@@ -49,8 +49,9 @@ void vtkMultiTriangulationWriter::WriteData()
   {
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     vtkErrorMacro(<< this->FileName << ": the input has no patches to write: it is "
-                  << (input ? "an empty Multi-Triangulation" : "plain polydata, from which vtkMultiTriangulationBuilder makes a "
-                                                               "Multi-Triangulation"));
+                  << (input ? "an empty Multi-Triangulation"
+                            : "plain polydata, from which vtkMultiTriangulationBuilder makes a "
+                              "Multi-Triangulation"));
     return;
   }
   this->WritePatches(*source);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTErrorCollector.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkExecutive.h"
+
+namespace
+{
+// "ERROR: In file.cxx, line 1\nvtkClass (0x123): what is wrong\n\n" -> "what is wrong"
+std::string Trim(std::string text)
+{
+  const std::size_t head = text.find("): ");
+  if (text.compare(0, 6, "ERROR:") == 0 && head != std::string::npos)
+  {
+    text.erase(0, head + 3);
+  }
+  const std::size_t last = text.find_last_not_of(" \n\r\t");
+  text.erase(last == std::string::npos ? 0 : last + 1);
+  for (char& c : text)
+  {
+    c = c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return text;
+}
+}
+
+vtkMTErrorCollector::vtkMTErrorCollector()
+{
+  this->Command->SetClientData(this);
+  this->Command->SetCallback(&vtkMTErrorCollector::Collect);
+}
+
+vtkMTErrorCollector::~vtkMTErrorCollector()
+{
+  for (const auto& observed : this->Observed)
+  {
+    observed.first->RemoveObserver(observed.second);
+  }
+}
+
+void vtkMTErrorCollector::Observe(vtkAlgorithm* algorithm)
+{
+  this->Observe(static_cast<vtkObject*>(algorithm));
+  this->Observe(static_cast<vtkObject*>(algorithm->GetExecutive()));
+}
+
+void vtkMTErrorCollector::Observe(vtkObject* object)
+{
+  this->Observed.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, this->Command));
+}
+
+vtkCommand* vtkMTErrorCollector::GetCommand()
+{
+  return this->Command;
+}
+
+void vtkMTErrorCollector::Collect(vtkObject*, unsigned long, void* self, void* text)
+{
+  std::vector<std::string>& messages = static_cast<vtkMTErrorCollector*>(self)->Messages;
+  std::string message = Trim(text ? static_cast<const char*>(text) : "unknown error");
+  // The executive only repeats that the algorithm has failed.
+  const bool repeats = message.find("returned failure for request") != std::string::npos;
+  constexpr std::size_t most = 4;
+  if (messages.empty() || (!repeats && messages.size() < most && messages.back() != message))
+  {
+    messages.push_back(std::move(message));
+  }
+}
+
+std::string vtkMTErrorCollector::GetMessage() const
+{
+  std::string all;
+  for (const std::string& message : this->Messages)
+  {
+    all += (all.empty() ? "" : "; ") + message;
+  }
+  return all;
+}

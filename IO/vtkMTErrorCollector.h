@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects the error events of VTK objects as one message. Not installed.
+#ifndef vtkMTErrorCollector_h
+#define vtkMTErrorCollector_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkCallbackCommand;
+class vtkCommand;
+class vtkObject;
+
+class vtkMTErrorCollector
+{
+public:
+  vtkMTErrorCollector();
+  /// Stops observing.
+  ~vtkMTErrorCollector();
+
+  /// Observes the algorithm and its executive.
+  void Observe(vtkAlgorithm* algorithm);
+  void Observe(vtkObject* object);
+  /// For objects that take an error observer instead of being observed.
+  vtkCommand* GetCommand();
+
+  bool HasErrors() const { return !this->Messages.empty(); }
+  /// The first few messages, without VTK's file names, line numbers and addresses.
+  std::string GetMessage() const;
+
+private:
+  vtkMTErrorCollector(const vtkMTErrorCollector&) = delete;
+  void operator=(const vtkMTErrorCollector&) = delete;
+  static void Collect(vtkObject* caller, unsigned long event, void* self, void* text);
+
+  std::vector<std::string> Messages;
+  vtkNew<vtkCallbackCommand> Command;
+  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observed;
+};
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTMeshReader
+ * @brief reads a mesh file of whatever format into polydata
+ *
+ * The content decides where it is unmistakable (PLY, GLB, VTK's own formats, XML), else the ending of the name, in
+ * upper or lower case:
+ *
+ * - PLY: vtkMTPlyReader; STL: vtkMTStlReader; OBJ: vtkMTObjReader;
+ * - VTP, and VTK's legacy format (.vtk) with a polydata in it: VTK's readers;
+ * - glTF and GLB: VTK's reader; all meshes of the scene, at the places that their nodes give them, put together; an
+ * array stays where all of them have it.
+ *
+ * Polygons, strips, lines and vertices stay as they are; vtkMTPolyDataStream makes triangles of them. A mesh without
+ * polygons and strips is an error here, and so is everything that a VTK reader reports as one: a part of a file is
+ * never taken for the whole.
+ */
+#ifndef vtkMTMeshReader_h
+#define vtkMTMeshReader_h
+
+#include "vtkMTIOModule.h" // For export macro
+
+#include <string>
+
+class vtkPolyData;
+
+class VTKMTIO_EXPORT vtkMTMeshReader
+{
+public:
+  /// False, with the reason in error, and an empty output when there is no mesh to be had.
+  static bool Read(const std::string& path, vtkPolyData* output, std::string& error);
+};
+
+#endif

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTMeshWriter.h"
+
+#include "vtkMTErrorCollector.h"
+#include "vtkMTOutputFile.h"
+#include "vtkMTPlyWriter.h"
+#include "vtkMTPolyDataStream.h"
+#include "vtkMTTextFormat.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <limits>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Walks over a stream; the uses give false on failure.
+template <typename Use>
+bool ForEachPointBlock(vtkMTTriangleStream& mesh, std::string& error, Use&& use)
+{
+  vtkMTTriangleStream::PointBlock block;
+  while (true)
+  {
+    if (!mesh.NextPoints(block))
+    {
+      error = mesh.GetError();
+      return false;
+    }
+    if (block.Points.empty())
+    {
+      return true;
+    }
+    if (!use(block))
+    {
+      return false;
+    }
+  }
+}
+
+template <typename Use>
+bool ForEachTriangleBlock(vtkMTTriangleStream& mesh, std::string& error, Use&& use)
+{
+  vtkMTTriangleStream::TriangleBlock block;
+  while (true)
+  {
+    if (!mesh.NextTriangles(block))
+    {
+      error = mesh.GetError();
+      return false;
+    }
+    if (block.Triangles.empty())
+    {
+      return true;
+    }
+    if (!use(block))
+    {
+      return false;
+    }
+  }
+}
+
+bool Put(vtkMTOutputFile& file, const std::string& text, std::string& error)
+{
+  error = file.Write(text.data(), text.size()) ? error : file.GetError();
+  return file.IsOpen();
+}
+
+template <typename Number>
+void AppendShortest(std::string& text, Number value)
+{
+  char digits[64];
+  const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), value);
+  text.append(digits, result.ptr);
+}
+
+// The fewest digits that give the number back, whether it is read in single or in double precision.
+void AppendNumber(std::string& text, double value)
+{
+  const float single = static_cast<float>(value);
+  text += ' ';
+  if (single == value)
+  {
+    AppendShortest(text, single);
+  }
+  else
+  {
+    AppendShortest(text, value);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Opens, lets body write, and publishes.
+template <typename Body>
+bool Publish(const std::string& path, std::string& error, Body&& body)
+{
+  vtkMTOutputFile file;
+  if (!file.Open(path))
+  {
+    error = file.GetError();
+    return false;
+  }
+  std::string reason;
+  try
+  {
+    if (!body(file, reason))
+    {
+      // The file's own messages name it already.
+      error = reason == file.GetError() ? reason : path + ": " + reason;
+      return false;
+    }
+  }
+  catch (const std::exception& exception)
+  {
+    error = path + ": " + exception.what();
+    return false;
+  }
+  if (!file.Commit())
+  {
+    error = file.GetError();
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+struct ObjColumns
+{
+  int Normals = -1; // index among the point columns
+  int TCoords = -1;
+  bool NormalsAreDouble = false;
+  bool TCoordsAreDouble = false;
+
+  explicit ObjColumns(const std::vector<vtkMTArrayInfo>& arrays)
+  {
+    int column = 0;
+    for (const vtkMTArrayInfo& array : arrays)
+    {
+      if (array.Association != vtkMTArrayInfo::Point)
+      {
+        continue;
+      }
+      const bool isReal = array.Type == VTK_FLOAT || array.Type == VTK_DOUBLE;
+      if (isReal && array.Components == 3 && this->Normals < 0 &&
+        (array.Attribute == vtkDataSetAttributes::NORMALS || array.Name == "Normals"))
+      {
+        this->Normals = column;
+        this->NormalsAreDouble = array.Type == VTK_DOUBLE;
+      }
+      if (isReal && array.Components == 2 && this->TCoords < 0 &&
+        (array.Attribute == vtkDataSetAttributes::TCOORDS || array.Name == "TCoords"))
+      {
+        this->TCoords = column;
+        this->TCoordsAreDouble = array.Type == VTK_DOUBLE;
+      }
+      ++column;
+    }
+  }
+};
+
+void AppendTuple(std::string& text, const vtkMTColumn& column, bool isDouble, std::size_t row, std::size_t components)
+{
+  for (std::size_t i = row * components; i < (row + 1) * components; ++i)
+  {
+    float single;
+    double value;
+    if (isDouble)
+    {
+      std::memcpy(&value, column.data() + i * sizeof(value), sizeof(value));
+    }
+    else
+    {
+      std::memcpy(&single, column.data() + i * sizeof(single), sizeof(single));
+      value = single;
+    }
+    AppendNumber(text, value);
+  }
+  text += '\n';
+}
+
+void AppendObjPoints(std::string& text, const vtkMTTriangleStream::PointBlock& block, const ObjColumns& columns)
+{
+  for (std::size_t row = 0; row < block.Points.size(); ++row)
+  {
+    text += 'v';
+    for (const double x : block.Points[row])
+    {
+      AppendNumber(text, x);
+    }
+    text += '\n';
+    if (columns.TCoords >= 0)
+    {
+      text += "vt";
+      AppendTuple(text, block.Columns[static_cast<std::size_t>(columns.TCoords)], columns.TCoordsAreDouble, row, 2);
+    }
+    if (columns.Normals >= 0)
+    {
+      text += "vn";
+      AppendTuple(text, block.Columns[static_cast<std::size_t>(columns.Normals)], columns.NormalsAreDouble, row, 3);
+    }
+  }
+}
+
+void AppendObjCorner(std::string& text, std::uint64_t point, const ObjColumns& columns)
+{
+  const std::string index = std::to_string(point + 1);
+  text += ' ' + index;
+  if (columns.TCoords >= 0 || columns.Normals >= 0)
+  {
+    text += '/' + (columns.TCoords >= 0 ? index : std::string());
+  }
+  if (columns.Normals >= 0)
+  {
+    text += '/' + index;
+  }
+}
+
+//------------------------------------------------------------------------------
+using SinglePoint = std::array<float, 3>;
+
+// Normal and corners, 12 floats, and two bytes of nothing.
+void AppendStlTriangle(std::vector<unsigned char>& bytes, const std::array<std::array<double, 3>, 3>& p)
+{
+  const auto side = [&p](int to, int axis) { return p[to][axis] - p[0][axis]; };
+  double normal[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    normal[i] = side(1, j) * side(2, k) - side(1, k) * side(2, j);
+  }
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  float record[12];
+  for (int i = 0; i < 3; ++i)
+  {
+    record[i] = length > 0.0 ? static_cast<float>(normal[i] / length) : 0.0f;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      record[3 + 3 * corner + i] = static_cast<float>(p[corner][i]);
+    }
+  }
+  const unsigned char* from = reinterpret_cast<const unsigned char*>(record);
+  bytes.insert(bytes.end(), from, from + sizeof(record));
+  bytes.insert(bytes.end(), 2, 0);
+}
+
+bool WriteStlTriangles(vtkMTTriangleStream& mesh, const std::vector<std::array<double, 3>>& points,
+  vtkMTOutputFile& file, std::string& error)
+{
+  std::vector<unsigned char> bytes;
+  return ForEachTriangleBlock(mesh, error,
+    [&](const vtkMTTriangleStream::TriangleBlock& block)
+    {
+      bytes.clear();
+      for (const auto& triangle : block.Triangles)
+      {
+        if (triangle[0] >= points.size() || triangle[1] >= points.size() || triangle[2] >= points.size())
+        {
+          error = "a triangle has a corner that does not exist";
+          return false;
+        }
+        AppendStlTriangle(bytes, { points[triangle[0]], points[triangle[1]], points[triangle[2]] });
+      }
+      error = file.Write(bytes.data(), bytes.size()) ? error : file.GetError();
+      return file.IsOpen();
+    });
+}
+
+//------------------------------------------------------------------------------
+bool WriteVtp(const std::string& path, vtkPolyData* mesh, std::string& error)
+{
+  return Publish(path, error,
+    [mesh](vtkMTOutputFile& file, std::string& reason)
+    {
+      vtkNew<vtkXMLPolyDataWriter> writer;
+      vtkMTErrorCollector errors;
+      errors.Observe(writer);
+      writer->SetInputData(mesh);
+      writer->SetFileName(file.GetTemporaryName().c_str());
+      writer->SetDataModeToAppended();
+      writer->EncodeAppendedDataOff();
+      writer->SetHeaderTypeToUInt64();
+      const bool done = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError && !errors.HasErrors();
+      reason = done          ? ""
+        : errors.HasErrors() ? errors.GetMessage()
+                             : vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+      return done;
+    });
+}
+}
+
+bool vtkMTMeshWriter::CanWrite(const std::string& path)
+{
+  const std::string ending = vtkMTTextFormat::GetLowerCaseEnding(path);
+  return ending == "ply" || ending == "stl" || ending == "obj" || ending == "vtp";
+}
+
+bool vtkMTMeshWriter::Write(const std::string& path, vtkPolyData* mesh, std::string& error)
+{
+  const std::string ending = vtkMTTextFormat::GetLowerCaseEnding(path);
+  if (ending == "vtp")
+  {
+    return WriteVtp(path, mesh, error);
+  }
+  if (!CanWrite(path))
+  {
+    error = path + ": the name must end in .ply, .stl, .obj or .vtp";
+    return false;
+  }
+  vtkMTPolyDataStream stream(mesh);
+  return ending == "ply" ? WritePly(stream, path, error)
+    : ending == "stl"    ? WriteStl(stream, path, error)
+                         : WriteObj(stream, path, error);
+}
+
+bool vtkMTMeshWriter::WritePly(
+  vtkMTTriangleStream& mesh, const std::string& path, std::string& error, Precision precision, const Progress& progress)
+{
+  return Publish(path, error,
+    [&](vtkMTOutputFile& file, std::string& reason)
+    {
+      vtkMTPlyWriter writer(mesh, precision, progress);
+      return writer.Write(file, reason);
+    });
+}
+
+bool vtkMTMeshWriter::WriteStl(vtkMTTriangleStream& mesh, const std::string& path, std::string& error)
+{
+  return Publish(path, error,
+    [&mesh](vtkMTOutputFile& file, std::string& reason)
+    {
+      if (mesh.GetNumberOfTriangles() > std::numeric_limits<std::uint32_t>::max())
+      {
+        reason = "STL cannot hold more than 2^32 - 1 triangles";
+        return false;
+      }
+      char head[84] = "Binary STL";
+      const std::uint32_t count = static_cast<std::uint32_t>(mesh.GetNumberOfTriangles());
+      std::memcpy(head + 80, &count, sizeof(count));
+      std::vector<std::array<double, 3>> points;
+      const bool gotPoints = mesh.Rewind() &&
+        ForEachPointBlock(mesh, reason,
+          [&](const vtkMTTriangleStream::PointBlock& block)
+          {
+            points.insert(points.end(), block.Points.begin(), block.Points.end());
+            return true;
+          });
+      reason = gotPoints ? "" : mesh.GetError();
+      return gotPoints && Put(file, std::string(head, sizeof(head)), reason) &&
+        WriteStlTriangles(mesh, points, file, reason);
+    });
+}
+
+bool vtkMTMeshWriter::WriteObj(vtkMTTriangleStream& mesh, const std::string& path, std::string& error)
+{
+  return Publish(path, error,
+    [&mesh](vtkMTOutputFile& file, std::string& reason)
+    {
+      const ObjColumns columns(mesh.GetArrays());
+      std::string text;
+      if (!mesh.Rewind())
+      {
+        reason = mesh.GetError();
+        return false;
+      }
+      return ForEachPointBlock(mesh, reason,
+               [&](const vtkMTTriangleStream::PointBlock& block)
+               {
+                 text.clear();
+                 AppendObjPoints(text, block, columns);
+                 return Put(file, text, reason);
+               }) &&
+        ForEachTriangleBlock(mesh, reason,
+          [&](const vtkMTTriangleStream::TriangleBlock& block)
+          {
+            text.clear();
+            for (const auto& triangle : block.Triangles)
+            {
+              text += 'f';
+              for (const std::uint64_t point : triangle)
+              {
+                AppendObjCorner(text, point, columns);
+              }
+              text += '\n';
+            }
+            return Put(file, text, reason);
+          });
+    });
+}

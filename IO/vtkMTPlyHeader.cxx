@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPlyHeader.h"
+
+#include "vtkType.h"
+
+#include <algorithm>
+
+namespace
+{
+using vtkMTTextFormat::NextToken;
+
+constexpr std::size_t LargestHeaderLine = 65536;
+constexpr std::size_t MostHeaderLines = 65536;
+
+// 0 for a name that is no type of PLY.
+int ParseType(std::string_view name)
+{
+  struct Type
+  {
+    const char* Name;
+    const char* Other;
+    int Value;
+  };
+  static const Type types[] = { { "char", "int8", VTK_SIGNED_CHAR }, { "uchar", "uint8", VTK_UNSIGNED_CHAR },
+    { "short", "int16", VTK_SHORT }, { "ushort", "uint16", VTK_UNSIGNED_SHORT }, { "int", "int32", VTK_INT },
+    { "uint", "uint32", VTK_UNSIGNED_INT }, { "float", "float32", VTK_FLOAT }, { "double", "float64", VTK_DOUBLE } };
+  for (const Type& type : types)
+  {
+    if (name == type.Name || name == type.Other)
+    {
+      return type.Value;
+    }
+  }
+  return 0;
+}
+}
+
+const vtkMTPlyProperty* vtkMTPlyElement::Find(const std::string& name) const
+{
+  for (const vtkMTPlyProperty& property : this->Properties)
+  {
+    if (property.Name == name)
+    {
+      return &property;
+    }
+  }
+  return nullptr;
+}
+
+const vtkMTPlyElement* vtkMTPlyHeader::Find(const std::string& name) const
+{
+  for (const vtkMTPlyElement& element : this->Elements)
+  {
+    if (element.Name == name)
+    {
+      return &element;
+    }
+  }
+  return nullptr;
+}
+
+std::size_t vtkMTPlyHeader::GetSize(int type)
+{
+  switch (type)
+  {
+    case VTK_SIGNED_CHAR:
+    case VTK_UNSIGNED_CHAR:
+      return 1;
+    case VTK_SHORT:
+    case VTK_UNSIGNED_SHORT:
+      return 2;
+    case VTK_DOUBLE:
+      return 8;
+    default:
+      return 4;
+  }
+}
+
+std::uint64_t vtkMTPlyHeader::GetSmallestRow(const vtkMTPlyElement& element) const
+{
+  std::uint64_t size = 0;
+  for (const vtkMTPlyProperty& property : element.Properties)
+  {
+    // In text a number takes a digit and what ends it.
+    size += this->Format == Ascii ? 2 : GetSize(property.IsList() ? property.CountType : property.Type);
+  }
+  return size;
+}
+
+bool vtkMTPlyHeader::ParseFormat(std::string_view line, std::string& error)
+{
+  const std::string_view name = NextToken(line);
+  const std::string_view version = NextToken(line);
+  const bool isKnown = name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
+  if (!isKnown || version != "1.0" || this->HasFormat)
+  {
+    error = this->HasFormat ? "a second format"
+                            : "format \"" + std::string(name) + " " + std::string(version) + "\" is unknown";
+    return false;
+  }
+  this->Format = name == "ascii" ? Ascii : name == "binary_little_endian" ? LittleEndian : BigEndian;
+  this->HasFormat = true;
+  return true;
+}
+
+bool vtkMTPlyHeader::ParseElement(std::string_view line, std::string& error)
+{
+  vtkMTPlyElement element;
+  element.Name = std::string(NextToken(line));
+  const std::string_view count = NextToken(line);
+  std::int64_t number = 0;
+  if (element.Name.empty() || !vtkMTTextFormat::ToNumber(count, number) || number < 0)
+  {
+    error = "element \"" + element.Name + "\" has the impossible count \"" + std::string(count) + "\"";
+    return false;
+  }
+  if (this->Find(element.Name))
+  {
+    error = "element \"" + element.Name + "\" comes twice";
+    return false;
+  }
+  element.Count = static_cast<std::uint64_t>(number);
+  this->Elements.push_back(std::move(element));
+  return true;
+}
+
+bool vtkMTPlyHeader::ParseProperty(std::string_view line, std::string& error)
+{
+  if (this->Elements.empty())
+  {
+    error = "a property comes before the first element";
+    return false;
+  }
+  vtkMTPlyElement& element = this->Elements.back();
+  vtkMTPlyProperty property;
+  std::string_view type = NextToken(line);
+  if (type == "list")
+  {
+    const std::string_view countType = NextToken(line);
+    property.CountType = ParseType(countType);
+    if (property.CountType == 0 || property.CountType == VTK_FLOAT || property.CountType == VTK_DOUBLE)
+    {
+      error = "a list cannot have a count of type \"" + std::string(countType) + "\"";
+      return false;
+    }
+    type = NextToken(line);
+  }
+  property.Type = ParseType(type);
+  property.Name = std::string(NextToken(line));
+  if (property.Type == 0 || property.Name.empty())
+  {
+    error = property.Type == 0 ? "type \"" + std::string(type) + "\" is unknown" : "a property has no name";
+    return false;
+  }
+  if (element.Find(property.Name))
+  {
+    error = "property \"" + property.Name + "\" of element \"" + element.Name + "\" comes twice";
+    return false;
+  }
+  element.Properties.push_back(std::move(property));
+  return true;
+}
+
+bool vtkMTPlyHeader::ParseLine(std::string_view line, bool& isAtEnd, std::string& error)
+{
+  const std::string_view keyword = NextToken(line);
+  if (keyword.empty() || keyword == "comment" || keyword == "obj_info")
+  {
+    return true;
+  }
+  if (keyword == "format")
+  {
+    return this->ParseFormat(line, error);
+  }
+  if (keyword == "element")
+  {
+    return this->ParseElement(line, error);
+  }
+  if (keyword == "property")
+  {
+    return this->ParseProperty(line, error);
+  }
+  isAtEnd = keyword == "end_header";
+  error = isAtEnd ? error : "\"" + std::string(keyword.substr(0, 40)) + "\" is no keyword of PLY";
+  return isAtEnd;
+}
+
+bool vtkMTPlyHeader::Parse(vtkMTTextFormat::Stream& stream, std::string& error)
+{
+  *this = vtkMTPlyHeader();
+  std::string_view line;
+  bool isAtEnd = false;
+  for (std::size_t number = 1; !isAtEnd; ++number)
+  {
+    if (!stream.TakeLine(line) || line.size() > LargestHeaderLine || number > MostHeaderLines)
+    {
+      error = !stream.GetError().empty()                  ? stream.GetError()
+        : number == 1 && stream.IsAtEnd() && line.empty() ? "is empty"
+                                                          : "ends within its header, or has none";
+      return false;
+    }
+    if (number == 1)
+    {
+      if (NextToken(line) != "ply")
+      {
+        error = "does not begin with \"ply\"";
+        return false;
+      }
+      continue;
+    }
+    if (!this->ParseLine(line, isAtEnd, error))
+    {
+      error = "header line " + std::to_string(number) + ": " + error;
+      return false;
+    }
+  }
+  error = this->HasFormat ? error : "has no format in its header";
+  return this->HasFormat;
+}
