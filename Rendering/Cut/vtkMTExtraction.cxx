@@ -55,8 +55,8 @@ double ChosenError(const vtkMTNode& node, vtkMTExtraction::ErrorChoiceType choic
 }
 }
 
-// What is known of the arcs that a call has looked at; kept between calls so that a frame costs as much as its cut, not as
-// much as its graph.
+// What is known of the arcs that a call has looked at; kept between calls so that a frame costs as much as its cut, not
+// as much as its graph.
 struct vtkMTExtraction::Scratch
 {
   enum : unsigned char
@@ -166,8 +166,8 @@ private:
     unsigned char& state = this->Memory.Arcs[arc];
     if (state == Scratch::Unknown)
     {
-      const bool culled =
-        this->Eye && this->Options.FrustumCulling && !ArcBounds(this->Graph, this->Graph.Arcs[arc]).IsVisible(*this->Eye);
+      const bool culled = this->Eye && this->Options.FrustumCulling &&
+        !ArcBounds(this->Graph, this->Graph.Arcs[arc]).IsVisible(*this->Eye);
       state = culled ? Scratch::Culled : Scratch::Drawn;
       this->Memory.TouchedArcs.push_back(arc);
     }
@@ -443,8 +443,8 @@ private:
     std::vector<Request>& requests = this->Out.Requests;
     std::sort(requests.begin(), requests.end(),
       [](const Request& a, const Request& b) { return a.Arc != b.Arc ? a.Arc < b.Arc : a.Error > b.Error; });
-    requests.erase(std::unique(requests.begin(), requests.end(),
-                     [](const Request& a, const Request& b) { return a.Arc == b.Arc; }),
+    requests.erase(
+      std::unique(requests.begin(), requests.end(), [](const Request& a, const Request& b) { return a.Arc == b.Arc; }),
       requests.end());
     std::stable_sort(
       requests.begin(), requests.end(), [](const Request& a, const Request& b) { return a.Error > b.Error; });
@@ -481,8 +481,7 @@ vtkMTExtraction::Result vtkMTExtraction::View(const vtkMTCut& cut, const Input& 
   return Worker(input, settings, *this->Memory).Show(cut);
 }
 
-bool vtkMTExtraction::ByTriangles(
-  const vtkMTGraph& graph, std::uint64_t triangles, vtkMTCut& cut, std::string& message)
+bool vtkMTExtraction::ByTriangles(const vtkMTGraph& graph, std::uint64_t triangles, vtkMTCut& cut, std::string& message)
 {
   if (triangles < graph.GetRootTriangles())
   {

@@ -3,20 +3,22 @@
  * @class vtkMTExtraction
  * @brief finds the cut to draw: a pure function of graph, view, settings and what is resident
  *
- * The refinement half of Cignoni et al., "Batched Multi Triangulation" (2005), section 5. Extraction starts at the coarsest cut
- * and keeps the refinements that are wanted in a heap, the largest error first, ties by node index. A refinement that
- * needs coarser nodes refined takes them along (BMT section 3.1), so after every operation the cut is closed and its patches
- * conform. A refinement that does not fit the triangle budget is put aside, smaller ones are tried instead, and what was put
- * aside is tried again whenever the cut has changed. Where less than nine tenths of the budget are then used, the coarser nodes
- * that the postponed refinements wait for are refined one by one as far as they fit.
+ * The refinement half of Cignoni et al., "Batched Multi Triangulation" (2005), section 5. Extraction starts at the
+ * coarsest cut and keeps the refinements that are wanted in a heap, the largest error first, ties by node index. A
+ * refinement that needs coarser nodes refined takes them along (BMT section 3.1), so after every operation the cut is
+ * closed and its patches conform. A refinement that does not fit the triangle budget is put aside, smaller ones are
+ * tried instead, and what was put aside is tried again whenever the cut has changed. Where less than nine tenths of the
+ * budget are then used, the coarser nodes that the postponed refinements wait for are refined one by one as far as they
+ * fit.
  *
- * The error of an arc's patch is the pixel error of the node that it enters, taken over the patch's own box, which is tighter
- * than the node's sphere; that of a node is the largest of the arcs that enter it. An arc whose box, grown by its error, lies
- * outside the frustum asks for nothing: the input surface that it stands for cannot be seen. An arc whose box lies outside is
- * not drawn and does not count against the budget. Without a view the error is the node's own, in model units, and every
- * arc counts.
+ * The error of an arc's patch is the pixel error of the node that it enters, taken over the patch's own box, which is
+ * tighter than the node's sphere; that of a node is the largest of the arcs that enter it. An arc whose box, grown by
+ * its error, lies outside the frustum asks for nothing: the input surface that it stands for cannot be seen. An arc
+ * whose box lies outside is not drawn and does not count against the budget. Without a view the error is the node's
+ * own, in model units, and every arc counts.
  *
- * The result depends on the arguments alone. The object keeps scratch memory between calls, so use one object per thread.
+ * The result depends on the arguments alone. The object keeps scratch memory between calls, so use one object per
+ * thread.
  */
 #ifndef vtkMTExtraction_h
 #define vtkMTExtraction_h
@@ -48,8 +50,8 @@ public:
     double PixelError = 1.0;
     /// Without a view, model units: what is above is refined. Default 0; negative refines everything.
     double ModelError = 0.0;
-    /// Triangles drawn at most; 0, the default, is no limit. Where the coarsest cut has more, it is drawn all the same and
-    /// the result is not WithinBudget.
+    /// Triangles drawn at most; 0, the default, is no limit. Where the coarsest cut has more, it is drawn all the same
+    /// and the result is not WithinBudget.
     std::uint64_t TriangleBudget = 0;
     ErrorChoiceType ErrorChoice = Distance;
     /// Whether patches outside the frustum are left out. Refinement follows the frustum in either case. Default on.
@@ -91,9 +93,9 @@ public:
 
     std::size_t NodesRefined = 0;
     std::size_t ArcsInCut = 0;
-    std::size_t ArcsCulled = 0;   ///< by the frustum
-    std::size_t Operations = 0;   ///< refinements tried
-    std::size_t Postponed = 0;    ///< refinements wanted that did not fit or were not resident
+    std::size_t ArcsCulled = 0;    ///< by the frustum
+    std::size_t Operations = 0;    ///< refinements tried
+    std::size_t Postponed = 0;     ///< refinements wanted that did not fit or were not resident
     std::vector<Request> Requests; ///< the largest error first
   };
 
@@ -105,8 +107,8 @@ public:
   Result Extract(const Input& input, const Settings& settings);
 
   /**
-   * The arcs of a given cut that are to be drawn in a view, with their figures, as Extract gives them: for a cut that is
-   * kept while the camera moves.
+   * The arcs of a given cut that are to be drawn in a view, with their figures, as Extract gives them: for a cut that
+   * is kept while the camera moves.
    */
   Result View(const vtkMTCut& cut, const Input& input, const Settings& settings);
 
@@ -114,8 +116,8 @@ public:
   /**
    * Cuts without a view. ByTriangles gives the most precise cut of at most `triangles` triangles; where that is 50 mean
    * patches or more, at least 90 % of them are used unless the finest level has fewer. False, with a message, where
-   * the coarsest cut has more. ByError gives the coarsest cut whose certified distance to the input is at most `error` in
-   * model units; false where the finest level does not reach it. ByLevel gives one level, 0 being the finest; false
+   * the coarsest cut has more. ByError gives the coarsest cut whose certified distance to the input is at most `error`
+   * in model units; false where the finest level does not reach it. ByLevel gives one level, 0 being the finest; false
    * where there is no such level.
    */
   bool ByTriangles(const vtkMTGraph& graph, std::uint64_t triangles, vtkMTCut& cut, std::string& message);
@@ -125,7 +127,8 @@ public:
 
   ///@{
   /// Of one arc's patch in a view: its bound in pixels, and whether any of it can be seen.
-  static double GetPixelError(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice);
+  static double GetPixelError(
+    const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice);
   static bool IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc);
   ///@}
 

@@ -3,14 +3,16 @@
  * @class vtkMTPatchCache
  * @brief patches in main memory, by arc, within a limit
  *
- * Request says which patches are wanted, the most wanted first; Get gives what is there. Between the two stands whatever
- * brings patches in: Request reads them itself, one after the other, so what it asked for and what fits is there when it returns.
+ * Request says which patches are wanted, the most wanted first; Get gives what is there. Between the two stands
+ * whatever brings patches in: Request reads them itself, one after the other, so what it asked for and what fits is
+ * there when it returns.
  *
- * The limit holds for the patches that the cache keeps, counted as vtkMTPatch::GetMemorySize does. When a patch does not fit, the
- * one that has not been asked for longest goes, but never one of the same Request. A patch that somebody still holds lives on.
+ * The limit holds for the patches that the cache keeps, counted as vtkMTPatch::GetMemorySize does. When a patch does
+ * not fit, the one that has not been asked for longest goes, but never one of the same Request. A patch that somebody
+ * still holds lives on.
  *
- * A patch that cannot be read, or does not fit the limit by itself, is a failure: TakeFailures names it once, and Request
- * does not try it again before Retry.
+ * A patch that cannot be read, or does not fit the limit by itself, is a failure: TakeFailures names it once, and
+ * Request does not try it again before Retry.
  *
  * Threads: all calls from one thread.
  */
@@ -57,8 +59,8 @@ public:
   std::size_t GetNumberOfPatches() const { return this->Entries.size(); }
 
   /**
-   * The arrays that patches are wanted with from now on, one flag per array of the graph. A patch that is there without one
-   * of them is as good as not there, and is read again, with that array, when it is requested.
+   * The arrays that patches are wanted with from now on, one flag per array of the graph. A patch that is there without
+   * one of them is as good as not there, and is read again, with that array, when it is requested.
    */
   void SetArrays(const std::vector<unsigned char>& arrays) { this->Arrays = arrays; }
 

@@ -3,8 +3,8 @@
  * @class vtkMTRangeAllocator
  * @brief hands out ranges of a large buffer and takes them back
  *
- * First fit over free ranges that are kept apart by at least one element in use: ranges that are given back are joined with
- * their free neighbours at once. Offsets and sizes are counted in elements; what they are is the caller's matter.
+ * First fit over free ranges that are kept apart by at least one element in use: ranges that are given back are joined
+ * with their free neighbours at once. Offsets and sizes are counted in elements; what they are is the caller's matter.
  */
 #ifndef vtkMTRangeAllocator_h
 #define vtkMTRangeAllocator_h

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPatchArena
+ * @brief the patches on the GPU: a slot for each, and streams of vertex and triangle data that share the slots
+ *
+ * A slot is a range of vertices and a range of triangles, from vtkMTRangeAllocator. Every stream (positions, normals,
+ * colours, indices, cell colours ...) is one buffer in which a slot's vertices or triangles have the same place, so all
+ * patches are drawn from one vertex array object with a base vertex each, and the place of a triangle in the arena is
+ * its id for picking and for cell colours. Streams come and go without moving slots; a stream that is declared anew is
+ * stale in every slot until uploaded.
+ *
+ * The arena grows as the patches of one frame need it: before it grows, patches that the frame does not use are
+ * dropped, the least recently used first.
+ *
+ * All methods but the constructor need the OpenGL context of the window that the arena belongs to, current.
+ */
+#ifndef vtkMTPatchArena_h
+#define vtkMTPatchArena_h
+
+#include "vtkMTRangeAllocator.h"
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+class vtkShaderProgram;
+
+class vtkMTPatchArena
+{
+public:
+  enum DomainType
+  {
+    Vertices,
+    Triangles
+  };
+
+  struct Format
+  {
+    DomainType Domain = Vertices;
+    std::size_t Bytes = 0; ///< of one vertex's or triangle's data
+    int Components = 0;    ///< of a vertex attribute
+    unsigned int Type = 0; ///< OpenGL's name of the component type
+    bool Integer = false;  ///< the shader sees integers
+    bool operator==(const Format& other) const
+    {
+      return this->Domain == other.Domain && this->Bytes == other.Bytes && this->Components == other.Components &&
+        this->Type == other.Type && this->Integer == other.Integer;
+    }
+  };
+
+  struct Slot
+  {
+    std::uint64_t FirstVertex = 0;
+    std::uint64_t FirstTriangle = 0;
+    std::uint32_t Vertices = 0;
+    std::uint32_t Triangles = 0;
+    std::uint64_t LastFrame = 0;
+    std::vector<std::uint64_t> Revisions; // by stream
+  };
+
+  ///@{
+  /**
+   * Streams are known by a number. Declare makes a stream, or makes an old one stale when the format or the revision is
+   * another than before; vertex streams are named for the shader's attribute. Revisions begin at 1. Remove frees its
+   * memory.
+   */
+  int Declare(const std::string& attribute, const Format& format, std::uint64_t revision);
+  void Remove(const std::string& attribute);
+  bool Has(const std::string& attribute) const;
+  ///@}
+
+  /// Starts a frame that draws patches of so many vertices and triangles in total.
+  void BeginFrame(std::uint64_t vertices, std::uint64_t triangles);
+  /// The arc's slot, made if need be; used in this frame.
+  Slot& Use(std::uint32_t arc, std::uint32_t vertices, std::uint32_t triangles);
+  bool IsStale(const Slot& slot, int stream) const;
+  /// False, and nothing done, unless there is exactly as much data as the slot has vertices or triangles.
+  bool Upload(Slot& slot, int stream, const std::vector<unsigned char>& data);
+
+  /// Drops all patches; buffers stay.
+  void Clear();
+  void ReleaseGraphicsResources();
+
+  /// Binds the vertex array object, with the streams that the program uses; attributes in `constant` are left disabled.
+  void Bind(vtkShaderProgram* program, const std::string& constant);
+  static void Unbind();
+
+  vtkOpenGLBufferObject* GetBuffer(const std::string& attribute);
+
+  /// The arc's slot, or null.
+  const Slot* Find(std::uint32_t arc) const;
+  /// Gives the arc's slot back.
+  void Drop(std::uint32_t arc);
+  /// Where each patch begins: first vertex or triangle, and arc.
+  std::map<std::uint64_t, std::uint32_t> GetPlaces(DomainType domain) const;
+
+  std::uint64_t GetVertexCapacity() const { return this->VertexSpace.GetCapacity(); }
+  std::uint64_t GetTriangleCapacity() const { return this->TriangleSpace.GetCapacity(); }
+  /// Of all buffers.
+  std::uint64_t GetBytes() const;
+  std::size_t GetNumberOfPatches() const { return this->Slots.size(); }
+  std::uint64_t GetNumberOfUploadedBytes() const { return this->UploadedBytes; }
+
+private:
+  struct Stream
+  {
+    std::string Attribute;
+    vtkMTPatchArena::Format Layout;
+    std::uint64_t Revision = 0;
+    std::uint64_t Capacity = 0; // vertices or triangles that the buffer holds
+    bool Active = false;
+    vtkNew<vtkOpenGLBufferObject> Buffer;
+  };
+
+  static void Grow(vtkMTRangeAllocator& space, std::uint64_t needed);
+  void Fit(Stream& stream);
+  std::uint64_t Allocate(vtkMTRangeAllocator& space, std::uint32_t size);
+  bool DropOldest();
+
+  std::vector<std::unique_ptr<Stream>> Streams;
+  std::unordered_map<std::uint32_t, Slot> Slots;
+  vtkMTRangeAllocator VertexSpace;
+  vtkMTRangeAllocator TriangleSpace;
+  std::uint64_t Frame = 0;
+  std::uint64_t UploadedBytes = 0;
+  unsigned int VertexArray = 0;
+};
+
+#endif

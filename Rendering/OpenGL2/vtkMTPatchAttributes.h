@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPatchAttributes
+ * @brief a patch's data as the GPU wants it
+ *
+ * Every function gives tightly packed values: per wedge for vertex data, per triangle for the rest.
+ */
+#ifndef vtkMTPatchAttributes_h
+#define vtkMTPatchAttributes_h
+
+#include "vtkMTArrayInfo.h"
+#include "vtkMTPatch.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkMTGraph;
+class vtkUnsignedCharArray;
+
+struct vtkMTPatchAttributes
+{
+  ///@{
+  /// The index in the graph's Arrays of an array by name, or of the one that is the active attribute; -1 when there is
+  /// none.
+  static int FindArray(const vtkMTGraph& graph, const std::string& name, vtkMTArrayInfo::AssociationType association);
+  static int FindAttribute(const vtkMTGraph& graph, int attribute, vtkMTArrayInfo::AssociationType association);
+  static int FindRole(const vtkMTGraph& graph, vtkMTArrayInfo::RoleType role);
+  ///@}
+
+  /// The patch's column of the array.
+  static const vtkMTColumn& GetColumn(const vtkMTGraph& graph, int array, const vtkMTPatch& patch);
+  /// The column as a VTK array that shares its memory, so it must not outlive the patch.
+  static vtkSmartPointer<vtkDataArray> GetArray(const vtkMTGraph& graph, int array, const vtkMTPatch& patch);
+
+  /// Lattice integers, three per wedge.
+  static std::vector<std::int32_t> GetPositions(const vtkMTPatch& patch);
+  /// Two indices for each edge of each triangle.
+  static std::vector<std::uint32_t> GetEdges(const vtkMTPatch& patch);
+  /// The array's values with `components` components each, missing ones 0; component -1 starts at the first one.
+  static std::vector<float> GetFloats(vtkDataArray* array, int components, int component = -1);
+  /// Four bytes per tuple, each tuple `times` times.
+  static std::vector<unsigned char> GetColors(vtkUnsignedCharArray* colors, int times);
+  static std::vector<float> Repeat(const std::vector<float>& values, int components, int times);
+};
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPatchStreams
+ * @brief which of the model's data is on the GPU, in what form, and how it gets there
+ *
+ * A plan says what the shader asks for: positions and indices always; normals, texture coordinates, tangents and
+ * further attributes as floats; colours per vertex or per triangle. Apply declares the streams in the arena, so that
+ * what changed is uploaded again and nothing else is, and Upload brings one patch up to date.
+ */
+#ifndef vtkMTPatchStreams_h
+#define vtkMTPatchStreams_h
+
+#include "vtkMTPatch.h"
+#include "vtkMTPatchArena.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkMTGraph;
+
+class vtkMTPatchStreams
+{
+public:
+  /// Model data as a float attribute of the shader.
+  struct Floats
+  {
+    std::string Attribute;
+    int Array = -1;     ///< in the graph's Arrays
+    int Components = 3; ///< of the attribute
+    int Component = -1; ///< the array's component to begin with
+  };
+
+  enum ColoringType : std::uint8_t
+  {
+    NoColors,
+    PointColors,      ///< RGBA per vertex, attribute scalarColor
+    PointCoordinates, ///< into the colour texture, attribute tcoord
+    CellColors        ///< RGBA per primitive, a texture buffer
+  };
+
+  struct Plan
+  {
+    bool Edges = false;            ///< line indices (wireframe), else triangles
+    int PrimitivesPerTriangle = 1; ///< what OpenGL counts while it draws one triangle
+    std::vector<Floats> Attributes;
+    int CellNormals = -1; ///< an array of association Cell, or none
+    ColoringType Coloring = NoColors;
+    int Scalars = -1;                ///< the array that colours come from
+    std::uint64_t ColorRevision = 1; ///< another one makes all colours stale
+  };
+
+  /// What maps a patch's scalars: to RGBA bytes or, for PointCoordinates, to two floats.
+  using Mapping = std::function<void(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)>;
+
+  static constexpr const char* Positions = "latticeMC";
+  static constexpr const char* Indices = "indices";
+  static constexpr const char* CellColorStream = "cellColors";
+  static constexpr const char* CellNormalStream = "cellNormals";
+
+  void Apply(const Plan& plan, vtkMTPatchArena& arena);
+  const Plan& GetPlan() const { return this->Current; }
+
+  /// One flag per array of the graph: what Upload will look at.
+  std::vector<unsigned char> GetArrays(const vtkMTGraph& graph) const;
+  bool IsStale(const vtkMTPatchArena& arena, const vtkMTPatchArena::Slot& slot) const;
+  /// False when the patch has not as much data as the slot has room for.
+  bool Upload(vtkMTPatchArena& arena, vtkMTPatchArena::Slot& slot, const vtkMTGraph& graph, const vtkMTPatch& patch,
+    const Mapping& mapping) const;
+
+private:
+  struct Stream
+  {
+    int Number = 0; // in the arena
+    enum KindType
+    {
+      Points,
+      Connectivity,
+      Attribute,
+      CellNormal,
+      Color
+    } Kind = Points;
+    std::size_t Which = 0; // of Plan::Attributes
+  };
+
+  std::vector<unsigned char> Make(
+    const Stream& stream, const vtkMTGraph& graph, const vtkMTPatch& patch, const Mapping& mapping) const;
+
+  Plan Current;
+  std::vector<Stream> Streams;
+  std::vector<std::string> Names;
+};
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTSelectionIds
+ * @brief turns places in the arena, as vtkHardwareSelector's pictures hold them, into ids of the model
+ *
+ * The selector's passes write ids in two pictures, the lower 24 bits in one and the higher ones in the other. For each
+ * pixel Translate reads the place that the shader wrote, finds patch and tuple, and writes the value of the array
+ * there; pixels whose patch has no such array keep the place.
+ */
+#ifndef vtkMTSelectionIds_h
+#define vtkMTSelectionIds_h
+
+#include "vtkMTPatchArena.h"
+#include "vtkMTPatchCache.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+class vtkMTGraph;
+
+class vtkMTSelectionIds
+{
+public:
+  /// array: of the graph's Arrays, or -1. The cache must read that array.
+  vtkMTSelectionIds(const vtkMTGraph& graph, const vtkMTPatchArena& arena, vtkMTPatchCache& cache, int array,
+    vtkMTPatchArena::DomainType domain);
+
+  /**
+   * Rewrites one picture, at the pixels that begin at the offsets. lowPlaces and highPlaces hold what the shader wrote;
+   * the second may be null. primitives: how many of the shader's ids one vertex or triangle takes. high: target is the
+   * picture of the higher bits.
+   */
+  void Translate(const std::vector<unsigned int>& offsets, const unsigned char* lowPlaces,
+    const unsigned char* highPlaces, std::uint64_t primitives, bool high, unsigned char* target);
+
+private:
+  vtkIdType GetId(std::uint64_t place);
+
+  const vtkMTGraph& Graph;
+  const vtkMTPatchArena& Arena;
+  vtkMTPatchCache& Cache;
+  int Array;
+  vtkMTPatchArena::DomainType Domain;
+  std::map<std::uint64_t, std::uint32_t> Places;
+  std::map<std::uint32_t, vtkMTPatchCache::PatchPointer> Patches;
+};
+
+#endif

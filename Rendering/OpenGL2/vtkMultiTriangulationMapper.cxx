@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMultiTriangulationMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkMTPatchAttributes.h"
+#include "vtkMTRendererView.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationMapperInternals.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTexture.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+vtkMultiTriangulation* GetModel(vtkDataObject* input)
+{
+  vtkMultiTriangulation* model = vtkMultiTriangulation::SafeDownCast(input);
+  return model && model->GetSource() && !model->GetSource()->GetGraph().IsEmpty() ? model : nullptr;
+}
+
+// Whether the patch can be drawn as what its arc says: OpenGL checks no index.
+bool IsSound(const vtkMTPatch& patch, const vtkMTArc& arc)
+{
+  const std::size_t wedges = patch.GetNumberOfWedges();
+  const std::size_t points = patch.Points.size();
+  return wedges == arc.Wedges && patch.Triangles.size() == arc.Triangles &&
+    std::all_of(patch.WedgePoints.begin(), patch.WedgePoints.end(), [points](std::uint32_t i) { return i < points; }) &&
+    std::all_of(patch.Triangles.begin(), patch.Triangles.end(),
+      [wedges](const vtkMTTriangle& t) { return t[0] < wedges && t[1] < wedges && t[2] < wedges; });
+}
+}
+
+vtkStandardNewMacro(vtkMultiTriangulationMapper);
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulationMapper::vtkMultiTriangulationMapper()
+  : Implementation(std::make_unique<Internals>())
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  this->Implementation->Template->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulationMapper::~vtkMultiTriangulationMapper()
+{
+  // The superclass's destructor would release its own resources only.
+  this->ReleaseGraphicsResources(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PixelError: " << this->PixelError << "\n";
+  os << indent << "TriangleBudget: " << this->TriangleBudget << "\n";
+  os << indent << "ErrorChoice: " << (this->ErrorChoice == DISTANCE ? "Distance" : "EdgeLength") << "\n";
+  os << indent << "FrustumCulling: " << this->FrustumCulling << "\n";
+  os << indent << "FreezeCut: " << this->FreezeCut << "\n";
+  os << indent << "ColorBy: " << this->ColorBy << "\n";
+  os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
+  os << indent << "Triangles: " << this->Triangles << "\n";
+  os << indent << "Patches: " << this->Patches << "\n";
+  os << indent << "CulledPatches: " << this->CulledPatches << "\n";
+  os << indent << "RefinedNodes: " << this->RefinedNodes << "\n";
+  os << indent << "AchievedPixelError: " << this->AchievedPixelError << "\n";
+  os << indent << "Converged: " << this->Converged << "\n";
+  os << indent << "CutTime: " << this->CutTime << "\n";
+  os << indent << "FrameTime: " << this->FrameTime << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  if (auto* other = vtkMultiTriangulationMapper::SafeDownCast(mapper))
+  {
+    this->SetPixelError(other->GetPixelError());
+    this->SetTriangleBudget(other->GetTriangleBudget());
+    this->SetErrorChoice(other->GetErrorChoice());
+    this->SetFrustumCulling(other->GetFrustumCulling());
+    this->SetFreezeCut(other->GetFreezeCut());
+    this->SetColorBy(other->GetColorBy());
+    this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
+  }
+  this->Superclass::ShallowCopy(mapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  // The superclass calls this method again with the window's context current, if it is not.
+  auto* renderWindow = vtkRenderWindow::SafeDownCast(window);
+  if (renderWindow && renderWindow->IsCurrent())
+  {
+    this->Implementation->Arena.ReleaseGraphicsResources();
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::HasPatches()
+{
+  return GetModel(this->GetInput()) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::ComputeBounds()
+{
+  if (vtkMultiTriangulation* model = GetModel(this->GetInput()))
+  {
+    model->GetSource()->GetGraph().GetBounds(this->Bounds);
+    return;
+  }
+  this->Superclass::ComputeBounds();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::HasTranslucentPolygonalGeometry()
+{
+  return !(this->ColorBy != NONE && this->HasPatches()) && this->Superclass::HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetGraphicsMemory()
+{
+  return static_cast<vtkIdType>(this->Implementation->Arena.GetBytes());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetPatchMemory()
+{
+  return this->Implementation->Cache ? static_cast<vtkIdType>(this->Implementation->Cache->GetBytes()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetNumberOfReads()
+{
+  return this->Implementation->Cache ? static_cast<vtkIdType>(this->Implementation->Cache->GetNumberOfReads()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetNumberOfUploadedBytes()
+{
+  return static_cast<vtkIdType>(this->Implementation->Arena.GetNumberOfUploadedBytes());
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
+{
+  const vtkMTExtraction::Result* last = this->Implementation->Keeper.GetLast();
+  if (!last)
+  {
+    vtkErrorMacro("Nothing has been drawn yet, so there is no cut.");
+    return false;
+  }
+  std::string error;
+  if (!vtkMultiTriangulation::CutToPolyData(*this->Implementation->Keeper.GetSource(), last->Cut, output, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::FollowInput()
+{
+  Internals& self = *this->Implementation;
+  vtkMultiTriangulation* model = GetModel(this->GetInput());
+  const std::shared_ptr<const vtkMTPatchSource> source = model ? model->GetSource() : nullptr;
+  if (self.Keeper.SetSource(source))
+  {
+    self.Cut = nullptr;
+    self.Arena.Clear();
+    self.ColorState.Clear();
+    self.Cache = source ? std::make_unique<vtkMTPatchCache>(source) : nullptr;
+  }
+  if (self.DrewPatches != (source != nullptr))
+  {
+    // The superclass and this class keep different things in the same places.
+    self.DrewPatches = source != nullptr;
+    this->VBOBuildState.Clear();
+    this->IBOBuildState.Clear();
+    this->CellTextureBuildState.Clear();
+    for (vtkTextureObject** texture : { &this->CellScalarTexture, &this->CellNormalTexture })
+    {
+      if (*texture)
+      {
+        (*texture)->Delete();
+        *texture = nullptr;
+      }
+    }
+    for (vtkOpenGLBufferObject** buffer : { &this->CellScalarBuffer, &this->CellNormalBuffer })
+    {
+      if (*buffer)
+      {
+        (*buffer)->Delete();
+        *buffer = nullptr;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Implementation->FrameStart = std::chrono::steady_clock::now();
+  this->FollowInput();
+  if (this->HasPatches())
+  {
+    this->CurrentInput = this->Implementation->Template;
+  }
+  this->Superclass::RenderPieceStart(renderer, actor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->HasPatches())
+  {
+    this->Superclass::UpdateCameraShiftScale(renderer, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::GetNeedToRebuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->HasPatches())
+  {
+    return this->Superclass::GetNeedToRebuildBufferObjects(renderer, actor);
+  }
+  this->TempState.Clear();
+  this->TempState.Append(actor->GetProperty()->GetMTime(), "property mtime");
+  this->TempState.Append(this->GetInput()->GetMTime(), "input mtime");
+  this->TempState.Append(actor->GetTexture() ? actor->GetTexture()->GetMTime() : 0, "texture mtime");
+  const bool changed = this->VBOBuildState != this->TempState || this->VBOBuildTime < this->GetMTime();
+  this->VBOBuildState = this->TempState;
+  return changed;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::UpdateBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->HasPatches())
+  {
+    this->Superclass::UpdateBufferObjects(renderer, actor);
+    return;
+  }
+  if (this->GetNeedToRebuildBufferObjects(renderer, actor))
+  {
+    this->BuildBufferObjects(renderer, actor);
+  }
+  do
+  {
+    this->UpdateCut(renderer, actor);
+  } while (!this->UpdatePatches());
+  this->UpdateCellTextures(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->HasPatches())
+  {
+    this->Superclass::BuildBufferObjects(renderer, actor);
+    return;
+  }
+  vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
+  const int representation = actor->GetProperty()->GetRepresentation();
+  plan.Edges = representation == VTK_WIREFRAME;
+  plan.PrimitivesPerTriangle = representation == VTK_SURFACE ? 1 : 3;
+  this->PlanColors();
+  this->PlanAttributes(actor);
+  this->UpdateColorRevision();
+  this->BuildTemplate(renderer);
+  this->VBOBuildTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::UpdateCut(vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& self = *this->Implementation;
+  vtkMTExtraction::Settings settings;
+  settings.PixelError = this->PixelError;
+  settings.TriangleBudget = static_cast<std::uint64_t>(this->TriangleBudget);
+  settings.ErrorChoice = this->ErrorChoice == EDGE_LENGTH ? vtkMTExtraction::EdgeLength : vtkMTExtraction::Distance;
+  settings.FrustumCulling = this->FrustumCulling && !vtkMTRendererView::IsStereo(renderer);
+  self.View = vtkMTRendererView::Make(renderer, actor);
+  self.Cut = &self.Keeper.Update(renderer, self.View, settings, this->FreezeCut);
+  this->UpdateOrigin(renderer, actor);
+
+  this->Triangles = static_cast<vtkIdType>(self.Cut->Triangles);
+  this->Patches = static_cast<vtkIdType>(self.Cut->Arcs.size());
+  this->CulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
+  this->RefinedNodes = static_cast<vtkIdType>(self.Cut->NodesRefined);
+  this->AchievedPixelError = self.Cut->PixelError;
+  this->Converged = self.Cut->Converged;
+  this->CutTime = self.Keeper.GetCutTime();
+}
+
+//------------------------------------------------------------------------------
+// The lattice point inside the model's box that is nearest to what the camera looks at most closely: numbers near it
+// are small.
+void vtkMultiTriangulationMapper::UpdateOrigin(vtkRenderer* renderer, vtkActor* actor)
+{
+  const vtkMTGraph& graph = this->Implementation->Graph();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+  camera->GetParallelProjection() ? camera->GetFocalPoint(place) : camera->GetPosition(place);
+  vtkNew<vtkMatrix4x4> inverse;
+  vtkMatrix4x4::Invert(actor->GetMatrix(), inverse);
+  inverse->MultiplyPoint(place, place);
+  double bounds[6];
+  graph.GetBounds(bounds);
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool finite = std::isfinite(place[i]);
+    place[i] = std::clamp(finite ? place[i] : bounds[2 * i], bounds[2 * i], bounds[2 * i + 1]);
+  }
+  this->Implementation->Origin = graph.Lattice.Snap(place);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::UpdatePatches()
+{
+  Internals& self = *this->Implementation;
+  const vtkMTGraph& graph = self.Graph();
+  self.Streams.Apply(self.Plan, self.Arena);
+  self.Cache->SetArrays(self.Streams.GetArrays(graph));
+  if (self.Cache->GetLimit() != static_cast<std::size_t>(this->PatchMemoryLimit))
+  {
+    self.Cache->SetLimit(static_cast<std::size_t>(this->PatchMemoryLimit));
+    self.Cache->Retry();
+  }
+
+  std::uint64_t vertices = 0;
+  for (const std::uint32_t arc : self.Cut->Arcs)
+  {
+    vertices += graph.Arcs[arc].Wedges;
+  }
+  self.Arena.BeginFrame(vertices, self.Cut->Triangles);
+  const vtkMTPatchStreams::Mapping mapping = [this](
+                                               int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
+  { this->MapPatchScalars(array, patch, bytes); };
+  bool complete = true;
+  for (const std::uint32_t arc : self.Cut->Arcs)
+  {
+    const vtkMTArc& record = graph.Arcs[arc];
+    vtkMTPatchArena::Slot& slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
+    if (!self.Streams.IsStale(self.Arena, slot))
+    {
+      continue;
+    }
+    self.Cache->Request({ arc });
+    const vtkMTPatchCache::PatchPointer patch = self.Cache->Get(arc);
+    if (!patch || !IsSound(*patch, record) || !self.Streams.Upload(self.Arena, slot, graph, *patch, mapping))
+    {
+      self.Arena.Drop(arc);
+      if (self.Keeper.MarkUnreadable(arc))
+      {
+        complete = false;
+        for (const vtkMTPatchCache::Failure& failure : self.Cache->TakeFailures())
+        {
+          vtkErrorMacro(<< self.Keeper.GetSource()->GetName() << ": " << failure.What);
+        }
+        if (patch)
+        {
+          vtkErrorMacro(<< self.Keeper.GetSource()->GetName() << ": patch " << arc << " is not what the graph says");
+        }
+      }
+    }
+  }
+  return complete;
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMultiTriangulationMapper
+ * @brief draws a Multi-Triangulation, as finely as the view needs
+ *
+ * A mapper for any vtkActor. In every frame it finds the cut that shows the model within a given number of pixels of
+ * error (see vtkMTExtraction; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), reads the patches that
+ * it lacks, and draws them with the shaders of vtkOpenGLPolyDataMapper: property, lights, scalar colouring, textures,
+ * clipping planes, edges, translucency and picking are VTK's own. All passes of a frame that look through the same
+ * camera share one cut.
+ *
+ * Input is a vtkMultiTriangulation with a patch source. Any other vtkPolyData is drawn as vtkPolyDataMapper draws it.
+ *
+ * Points reach the GPU as lattice integers; the shader subtracts, in integers, a lattice point near the camera and only
+ * then computes in floating point, with matrices that were multiplied in double precision on the CPU. So a scene at UTM
+ * coordinates does not jitter, and a point that patches share comes out the same in each of them, bit for bit: no
+ * cracks.
+ *
+ * Scalars: the scalar mode, array name or id, lookup table and range mean what they mean for the coarsest cut, which
+ * the input's own points and cells are; arrays that are not part of the model (added by a filter) cannot be coloured
+ * by. Normals are the model's active point normals, texture coordinates and tangents likewise.
+ *
+ * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
+ * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
+ * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers (vtkCellPicker) see
+ * the coarsest cut, whose cell data has the input's cell ids; GetCut gives what was drawn to those who want to pick in
+ * that.
+ *
+ * @sa vtkMultiTriangulation vtkMTExtraction
+ */
+#ifndef vtkMultiTriangulationMapper_h
+#define vtkMultiTriangulationMapper_h
+
+#include "vtkMTRenderingOpenGL2Module.h" // For export macro
+#include "vtkOpenGLPolyDataMapper.h"
+
+#include <array>
+#include <cstdint>
+#include <memory> // For std::unique_ptr
+
+struct vtkMTPatch;
+
+class VTKMTRENDERINGOPENGL2_EXPORT vtkMultiTriangulationMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkMultiTriangulationMapper* New();
+  vtkTypeMacro(vtkMultiTriangulationMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How far, in pixels, the picture of the surface may be from that of the input. Default 1; clamped to [0, 1e9]. At 0
+   * everything that can be seen and deviates from the input at all is drawn as finely as it is stored.
+   */
+  vtkSetClampMacro(PixelError, double, 0.0, 1e9);
+  vtkGetMacro(PixelError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Triangles drawn in a frame at most; 0, the default, is no limit. Negative values are clamped to 0. The coarsest cut
+   * is drawn even when it has more, and so is a frozen one.
+   */
+  vtkSetClampMacro(TriangleBudget, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(TriangleBudget, vtkIdType);
+  ///@}
+
+  enum ErrorChoiceType
+  {
+    DISTANCE = 0,
+    EDGE_LENGTH = 1
+  };
+
+  ///@{
+  /**
+   * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
+   * is, or the mean edge length (BMT section 5.1), which says how finely it can be shaded. Other values are clamped.
+   */
+  vtkSetClampMacro(ErrorChoice, int, DISTANCE, EDGE_LENGTH);
+  vtkGetMacro(ErrorChoice, int);
+  void SetErrorChoiceToDistance() { this->SetErrorChoice(DISTANCE); }
+  void SetErrorChoiceToEdgeLength() { this->SetErrorChoice(EDGE_LENGTH); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether patches outside the frustum are left out. Default on. Off costs time and changes no pixel: what lies
+   * outside stays as coarse as it was. In stereo everything is drawn.
+   */
+  vtkSetMacro(FrustumCulling, bool);
+  vtkGetMacro(FrustumCulling, bool);
+  vtkBooleanMacro(FrustumCulling, bool);
+  ///@}
+
+  ///@{
+  /// Whether the cut stays what it is while the camera moves. Default off. Culling goes on.
+  vtkSetMacro(FreezeCut, bool);
+  vtkGetMacro(FreezeCut, bool);
+  vtkBooleanMacro(FreezeCut, bool);
+  ///@}
+
+  enum ColorByType
+  {
+    NONE = 0,
+    LEVEL = 1,
+    PATCH = 2,
+    ERROR_IN_PIXELS = 3
+  };
+
+  ///@{
+  /**
+   * Colours that show the cut instead of the data: each level a hue (0, the finest, is green), each patch a hue, or the
+   * pixel error of each patch (blue none, white half of PixelError, red all of it or more). Default NONE: property and
+   * scalars say the colour. Other values are clamped.
+   */
+  vtkSetClampMacro(ColorBy, int, NONE, ERROR_IN_PIXELS);
+  vtkGetMacro(ColorBy, int);
+  void SetColorByToNone() { this->SetColorBy(NONE); }
+  void SetColorByToLevel() { this->SetColorBy(LEVEL); }
+  void SetColorByToPatch() { this->SetColorBy(PATCH); }
+  void SetColorByToError() { this->SetColorBy(ERROR_IN_PIXELS); }
+  ///@}
+
+  ///@{
+  /**
+   * Bytes of patches that are kept in main memory once they are on the GPU. Default 512 MiB; negative values are
+   * clamped to 0. A patch larger than the limit is not drawn, its coarser one is, and an error is reported.
+   */
+  vtkSetClampMacro(PatchMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(PatchMemoryLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Figures of the last frame. AchievedPixelError bounds, in pixels, how far anything in the picture is from where the
+   * input would put it, whatever ErrorChoice says; it is infinite where the camera is closer to the surface than the
+   * error. Converged: nothing that can be seen is above PixelError. Times are seconds: CutTime of the last new cut;
+   * FrameTime of the mapper's part of the frame, reading and upload included, until the last command was given to
+   * OpenGL.
+   */
+  vtkGetMacro(Triangles, vtkIdType);
+  vtkGetMacro(Patches, vtkIdType);
+  vtkGetMacro(CulledPatches, vtkIdType);
+  vtkGetMacro(RefinedNodes, vtkIdType);
+  vtkGetMacro(AchievedPixelError, double);
+  vtkGetMacro(Converged, bool);
+  vtkGetMacro(CutTime, double);
+  vtkGetMacro(FrameTime, double);
+  ///@}
+
+  ///@{
+  /// Bytes of the GPU's buffers, and of patches in main memory.
+  vtkIdType GetGraphicsMemory();
+  vtkIdType GetPatchMemory();
+  /// Patches read, and bytes sent to the GPU, since the input was set.
+  vtkIdType GetNumberOfReads();
+  vtkIdType GetNumberOfUploadedBytes();
+  ///@}
+
+  /**
+   * The mesh of the cut of the last frame, welded, culled patches included, with all arrays. False, with an error
+   * event, when nothing has been drawn yet or a patch cannot be read.
+   */
+  bool GetCut(vtkPolyData* output);
+
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool HasTranslucentPolygonalGeometry() override;
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
+
+  ///@{
+  /// Called by VTK while it renders.
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+  ///@}
+
+protected:
+  vtkMultiTriangulationMapper();
+  ~vtkMultiTriangulationMapper() override;
+
+  void ComputeBounds() override;
+  void UpdateCameraShiftScale(vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  bool GetNeedToRebuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor) override;
+  void GetShaderTemplate(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  vtkMultiTriangulationMapper(const vtkMultiTriangulationMapper&) = delete;
+  void operator=(const vtkMultiTriangulationMapper&) = delete;
+
+  struct Internals;
+
+  bool HasPatches();
+  void FollowInput();
+  void PlanColors();
+  void PlanAttributes(vtkActor* actor);
+  void BuildTemplate(vtkRenderer* renderer);
+  void UpdateColorRevision();
+  void MapPatchScalars(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes);
+  void ForgetColors();
+  void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
+  bool UpdatePatches();
+  void UpdateCellTextures(vtkRenderer* renderer);
+  void UpdateOrigin(vtkRenderer* renderer, vtkActor* actor);
+  void SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  void DrawPrimitives(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode);
+  void DrawAtOnce(unsigned int mode);
+  void DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned int mode);
+  void DrawVertices(vtkRenderer* renderer, vtkActor* actor);
+  std::array<unsigned char, 4> GetPatchColor(std::uint32_t arc);
+  std::uint64_t GetPrimitivesPerTriangle(unsigned int mode);
+
+  double PixelError = 1.0;
+  vtkIdType TriangleBudget = 0;
+  int ErrorChoice = DISTANCE;
+  bool FrustumCulling = true;
+  bool FreezeCut = false;
+  int ColorBy = NONE;
+  vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
+
+  vtkIdType Triangles = 0;
+  vtkIdType Patches = 0;
+  vtkIdType CulledPatches = 0;
+  vtkIdType RefinedNodes = 0;
+  double AchievedPixelError = 0.0;
+  bool Converged = false;
+  double CutTime = 0.0;
+  double FrameTime = 0.0;
+
+  std::unique_ptr<Internals> Implementation;
+};
+
+#endif

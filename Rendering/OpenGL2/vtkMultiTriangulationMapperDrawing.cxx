@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkMultiTriangulationMapper: shaders, draw calls and picking.
+#include "vtkActor.h"
+#include "vtkHardwareSelector.h"
+#include "vtkMTPalette.h"
+#include "vtkMTPatchAttributes.h"
+#include "vtkMTSelectionIds.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkMultiTriangulationMapperInternals.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPlaneCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace
+{
+// The attribute that a patch's own colour takes the place of.
+constexpr const char* ColorAttribute = "scalarColor";
+
+const void* ToPointer(std::uint64_t offset)
+{
+  return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset));
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  // Integers are subtracted without rounding, so a point has the same vertexMC in every patch that shares it.
+  std::string source = shaders[vtkShader::Vertex]->GetSource();
+  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;",
+    "in ivec3 latticeMC;\n"
+    "uniform ivec3 latticeOrigin;\n");
+  vtkShaderProgram::Substitute(source, "//VTK::CustomBegin::Impl",
+    "vec4 vertexMC = vec4(vec3(latticeMC - latticeOrigin), 1.0);\n"
+    "  //VTK::CustomBegin::Impl\n");
+  shaders[vtkShader::Vertex]->SetSource(source);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  const auto& origin = this->Implementation->Origin;
+  const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
+  glUniform3i(where, origin[0], origin[1], origin[2]);
+  this->SetClippingPlanes(cellBO, actor);
+}
+
+//------------------------------------------------------------------------------
+// The superclass's planes are in model units; these are in lattice steps from the origin.
+void vtkMultiTriangulationMapper::SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  constexpr int Maximum = 6;
+  const int count = std::min(this->GetNumberOfClippingPlanes(), Maximum);
+  if (count == 0 || !cellBO.Program->IsUniformUsed("clipPlanes"))
+  {
+    return;
+  }
+  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
+  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
+  float equations[Maximum][4] = {};
+  for (int i = 0; i < count; ++i)
+  {
+    double plane[4];
+    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    // In steps all along, so that the smallest and largest models stay within the range of floats.
+    const double offset = plane[0] * origin[0] + plane[1] * origin[1] + plane[2] * origin[2] + plane[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      equations[i][k] = static_cast<float>(plane[k]);
+    }
+    equations[i][3] = static_cast<float>(offset / lattice.Step);
+  }
+  cellBO.Program->SetUniform4fv("clipPlanes", Maximum, equations);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  // VTK keeps these matrices transposed, as OpenGL wants them.
+  vtkMatrix4x4* worldToView;
+  vtkMatrix4x4* viewToDevice;
+  vtkMatrix4x4* worldToDevice;
+  vtkMatrix3x3* normals;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
+
+  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
+  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
+  vtkNew<vtkMatrix4x4> toWorld;
+  for (int i = 0; i < 3; ++i)
+  {
+    toWorld->SetElement(i, i, lattice.Step);
+    toWorld->SetElement(3, i, origin[i]);
+  }
+  if (!actor->GetIsIdentity())
+  {
+    vtkMatrix4x4* modelToWorld;
+    vtkOpenGLActor::SafeDownCast(actor)->GetKeyMatrices(modelToWorld, normals);
+    vtkMatrix4x4::Multiply4x4(toWorld, modelToWorld, toWorld);
+  }
+  const auto set = [&cellBO](const char* name, vtkMatrix4x4* matrix)
+  {
+    if (cellBO.Program->IsUniformUsed(name))
+    {
+      cellBO.Program->SetUniformMatrix(name, matrix);
+    }
+  };
+  set("MCWCMatrix", toWorld);
+  vtkMatrix4x4::Multiply4x4(toWorld, worldToView, this->TempMatrix4);
+  set("MCVCMatrix", this->TempMatrix4);
+  vtkMatrix4x4::Multiply4x4(this->TempMatrix4, viewToDevice, this->TempMatrix4);
+  set("MCDCMatrix", this->TempMatrix4);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->HasPatches())
+  {
+    this->Superclass::RenderPieceDraw(renderer, actor);
+    return;
+  }
+  vtkProperty* property = actor->GetProperty();
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState();
+  if (renderer->GetUseImageBasedLighting() && renderer->GetEnvironmentTexture())
+  {
+    state->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  }
+  this->DrawingVertices = false;
+  this->DrawingSelection = false;
+  GLenum mode = static_cast<GLenum>(this->GetOpenGLMode(property->GetRepresentation(), PrimitiveTris));
+  if (this->PointPicking)
+  {
+    state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
+    mode = GL_POINTS;
+  }
+  this->DrawPrimitives(renderer, actor, this->Primitives[PrimitiveTris], mode);
+
+  const bool withEdges = property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
+  if (withEdges && property->GetVertexVisibility() && !renderer->GetSelector())
+  {
+    this->DrawVertices(renderer, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::DrawPrimitives(
+  vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode)
+{
+  Internals& self = *this->Implementation;
+  vtkOpenGLBufferObject* indices = self.Arena.GetBuffer(vtkMTPatchStreams::Indices);
+  if (self.Cut->Arcs.empty() || !indices || indices->GetHandle() == 0)
+  {
+    return;
+  }
+  this->UpdateShaders(cellBO, renderer, actor);
+  if (!cellBO.Program)
+  {
+    return;
+  }
+  if (mode == GL_LINES && !this->HaveWideLines(renderer, actor))
+  {
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+      ->GetState()
+      ->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
+  }
+  self.Arena.Bind(cellBO.Program, this->ColorBy != NONE ? ColorAttribute : "");
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(indices->GetHandle()));
+  if (this->ColorBy != NONE || cellBO.Program->IsUniformUsed("PrimitiveIDOffset"))
+  {
+    this->DrawOneByOne(cellBO, mode);
+  }
+  else
+  {
+    this->DrawAtOnce(mode);
+  }
+  vtkMTPatchArena::Unbind();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::DrawAtOnce(unsigned int mode)
+{
+  const Internals& self = *this->Implementation;
+  const auto perTriangle = static_cast<std::uint64_t>(self.GetIndicesPerTriangle());
+  std::vector<GLsizei> counts;
+  std::vector<const void*> places;
+  std::vector<GLint> bases;
+  for (const std::uint32_t arc : self.Cut->Arcs)
+  {
+    if (const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc))
+    {
+      counts.push_back(static_cast<GLsizei>(slot->Triangles * perTriangle));
+      places.push_back(ToPointer(slot->FirstTriangle * perTriangle * sizeof(std::uint32_t)));
+      bases.push_back(static_cast<GLint>(slot->FirstVertex));
+    }
+  }
+  glMultiDrawElementsBaseVertex(
+    mode, counts.data(), GL_UNSIGNED_INT, places.data(), static_cast<GLsizei>(counts.size()), bases.data());
+}
+
+//------------------------------------------------------------------------------
+// Where each patch has a colour of its own, or the shader needs to know where in the arena a triangle is.
+void vtkMultiTriangulationMapper::DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned int mode)
+{
+  const Internals& self = *this->Implementation;
+  const auto perTriangle = static_cast<std::uint64_t>(self.GetIndicesPerTriangle());
+  const auto program = static_cast<GLuint>(cellBO.Program->GetHandle());
+  const GLint offset = glGetUniformLocation(program, "PrimitiveIDOffset");
+  const GLint color = this->ColorBy != NONE ? glGetAttribLocation(program, ColorAttribute) : -1;
+  const std::uint64_t primitives = this->GetPrimitivesPerTriangle(mode);
+  for (const std::uint32_t arc : self.Cut->Arcs)
+  {
+    const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc);
+    if (!slot)
+    {
+      continue;
+    }
+    glUniform1i(offset, static_cast<GLint>(slot->FirstTriangle * primitives));
+    if (color >= 0)
+    {
+      glVertexAttrib4Nubv(static_cast<GLuint>(color), this->GetPatchColor(arc).data());
+    }
+    glDrawElementsBaseVertex(mode, static_cast<GLsizei>(slot->Triangles * perTriangle), GL_UNSIGNED_INT,
+      ToPointer(slot->FirstTriangle * perTriangle * sizeof(std::uint32_t)), static_cast<GLint>(slot->FirstVertex));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::DrawVertices(vtkRenderer* renderer, vtkActor* actor)
+{
+  const Internals& self = *this->Implementation;
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (const std::uint32_t arc : self.Cut->Arcs)
+  {
+    if (const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc))
+    {
+      firsts.push_back(static_cast<GLint>(slot->FirstVertex));
+      counts.push_back(static_cast<GLsizei>(slot->Vertices));
+    }
+  }
+  vtkOpenGLHelper& cellBO = this->Primitives[PrimitiveVertices];
+  this->DrawingVertices = true;
+  this->UpdateShaders(cellBO, renderer, actor);
+  if (cellBO.Program && !firsts.empty())
+  {
+    this->Implementation->Arena.Bind(cellBO.Program, "");
+    glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
+    vtkMTPatchArena::Unbind();
+  }
+  this->DrawingVertices = false;
+}
+
+//------------------------------------------------------------------------------
+std::array<unsigned char, 4> vtkMultiTriangulationMapper::GetPatchColor(std::uint32_t arc)
+{
+  const Internals& self = *this->Implementation;
+  switch (this->ColorBy)
+  {
+    case LEVEL:
+      return vtkMTPalette::ForLevel(self.Graph().GetLevelOfArc(arc));
+    case PATCH:
+      return vtkMTPalette::ForPatch(arc);
+    default:
+      return vtkMTPalette::ForError(
+        vtkMTExtraction::GetPixelError(self.Graph(), self.View, arc, vtkMTExtraction::Distance), this->PixelError);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkMultiTriangulationMapper::GetPrimitivesPerTriangle(unsigned int mode)
+{
+  const auto indices = static_cast<std::uint64_t>(this->Implementation->GetIndicesPerTriangle());
+  return mode == GL_POINTS ? indices : mode == GL_LINES ? indices / 2 : indices / 3;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::RenderPieceFinish(renderer, actor);
+  this->FrameTime =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Implementation->FrameStart).count();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->HasPatches())
+  {
+    this->Superclass::UpdateMaximumPointCellIds(renderer, actor);
+    return;
+  }
+  // What the shader writes, and what is put in its place.
+  const Internals& self = *this->Implementation;
+  const std::uint64_t triangles = self.Arena.GetTriangleCapacity() * self.GetIndicesPerTriangle();
+  renderer->GetSelector()->UpdateMaximumPointId(static_cast<vtkIdType>(self.Arena.GetVertexCapacity()));
+  renderer->GetSelector()->UpdateMaximumCellId(
+    static_cast<vtkIdType>(std::max(triangles, self.Graph().InputTriangles)));
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
+{
+  if (!this->HasPatches())
+  {
+    this->Superclass::ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+    return;
+  }
+  Internals& self = *this->Implementation;
+  const int pass = selector->GetCurrentPass();
+  const bool points = pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
+  const bool cells = pass == vtkHardwareSelector::CELL_ID_LOW24 || pass == vtkHardwareSelector::CELL_ID_HIGH24;
+  if (!this->PopulateSelectionSettings || !(points || cells))
+  {
+    return;
+  }
+  const int lowPass = points ? vtkHardwareSelector::POINT_ID_LOW24 : vtkHardwareSelector::CELL_ID_LOW24;
+  const int highPass = points ? vtkHardwareSelector::POINT_ID_HIGH24 : vtkHardwareSelector::CELL_ID_HIGH24;
+  const unsigned char* low = selector->GetRawPixelBuffer(lowPass);
+  unsigned char* target = selector->GetPixelBuffer(pass);
+  if (!low || !target)
+  {
+    return;
+  }
+  const vtkMTGraph& graph = self.Graph();
+  int array = -1;
+  if (points)
+  {
+    array = this->PointIdArrayName
+      ? vtkMTPatchAttributes::FindArray(graph, this->PointIdArrayName, vtkMTArrayInfo::Point)
+      : -1;
+  }
+  else
+  {
+    array = this->CellIdArrayName ? vtkMTPatchAttributes::FindArray(graph, this->CellIdArrayName, vtkMTArrayInfo::Cell)
+                                  : vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
+  }
+  std::uint64_t primitives = 1;
+  if (cells)
+  {
+    const int representation = static_cast<vtkActor*>(prop)->GetProperty()->GetRepresentation();
+    primitives = this->GetPrimitivesPerTriangle(
+      this->PointPicking ? GL_POINTS : static_cast<GLenum>(this->GetOpenGLMode(representation, PrimitiveTris)));
+  }
+  std::vector<unsigned char> arrays = self.Streams.GetArrays(graph);
+  if (array >= 0)
+  {
+    arrays[array] = 1;
+  }
+  self.Cache->SetArrays(arrays);
+  vtkMTSelectionIds ids(
+    graph, self.Arena, *self.Cache, array, points ? vtkMTPatchArena::Vertices : vtkMTPatchArena::Triangles);
+  ids.Translate(pixelOffsets, low, selector->GetRawPixelBuffer(highPass), primitives, pass == highPass, target);
+}

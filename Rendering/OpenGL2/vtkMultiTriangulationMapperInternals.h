@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkMultiTriangulationMapper keeps between frames; for its own sources.
+#ifndef vtkMultiTriangulationMapperInternals_h
+#define vtkMultiTriangulationMapperInternals_h
+
+#include "vtkMTCutKeeper.h"
+#include "vtkMTGraph.h"
+#include "vtkMTPatchArena.h"
+#include "vtkMTPatchCache.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMTPatchStreams.h"
+#include "vtkMTView.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStateStorage.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+struct vtkMultiTriangulationMapper::Internals
+{
+  vtkNew<vtkPolyData> Template; // one point without cells: makes the superclass build the shaders
+  vtkMTCutKeeper Keeper;
+  std::unique_ptr<vtkMTPatchCache> Cache;
+  vtkMTPatchArena Arena;
+  vtkMTPatchStreams Streams;
+  vtkMTPatchStreams::Plan Plan;
+  vtkStateStorage ColorState;
+  vtkStateStorage NewColorState;
+  bool DrewPatches = false;
+
+  vtkMTView View;
+  const vtkMTExtraction::Result* Cut = nullptr;
+  std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
+  std::chrono::steady_clock::time_point FrameStart;
+
+  const vtkMTGraph& Graph() const { return this->Keeper.GetSource()->GetGraph(); }
+  int GetIndicesPerTriangle() const { return this->Plan.Edges ? 6 : 3; }
+};
+
+#endif
