@@ -35,15 +35,52 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// The arc of the cut that a random path from source to sink passes: every path passes exactly one.
+const vtkMTArc& FindArc(const vtkMTGraph& graph, Random& random, const vtkMTCut& cut)
+{
+  std::uint32_t node = graph.GetSource();
+  while (true)
+  {
+    const vtkMTNode& n = graph.Nodes[node];
+    const std::uint32_t arc = n.FirstOut + random.Below(n.OutCount);
+    node = graph.Arcs[arc].To;
+    if (!cut.IsRefined(node))
+    {
+      return graph.Arcs[arc];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Walk(const vtkMTGraph& graph, Random& random, std::uint32_t steps, vtkMTCut& cut)
+{
+  const double coarsening = 0.5 * random.Uniform();
+  for (std::uint32_t i = 0; i < steps; ++i)
+  {
+    const vtkMTArc& arc = FindArc(graph, random, cut);
+    if (random.Uniform() < coarsening)
+    {
+      cut.Coarsen(arc.From);
+    }
+    else
+    {
+      cut.RefineWithDependencies(arc.To);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// One or two, for with many leaves nothing coarse remains; a few steps more give variety.
 void RefineLeaves(const vtkMTGraph& graph, Random& random, vtkMTCut& cut)
 {
   const vtkMTNode& sink = graph.Nodes.back();
-  const std::uint32_t leaves = 1 + random.Below(3);
+  const std::uint32_t leaves = 1 + random.Below(2);
   for (std::uint32_t i = 0; i < leaves; ++i)
   {
     const std::uint32_t arc = graph.Entering[sink.FirstIn + random.Below(sink.InCount)];
     cut.RefineWithDependencies(graph.Arcs[arc].From);
   }
+  Walk(graph, random, random.Below(8), cut);
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +92,7 @@ void RefineAboveThreshold(const vtkMTGraph& graph, Random& random, vtkMTCut& cut
     errors.push_back(node.Error);
   }
   std::sort(errors.begin(), errors.end());
-  // Half of the nodes are of the finest level: a threshold by rank would seldom leave it, so ranks are drawn by halving.
+  // Half of the nodes are of the finest step, so the number of nodes above the threshold is drawn by its logarithm.
   const double rank = 1.0 - std::exp2(-random.Uniform() * std::log2(static_cast<double>(errors.size())));
   const double threshold = errors[static_cast<std::size_t>(rank * (errors.size() - 1))];
   for (std::uint32_t node = 0; node < graph.Nodes.size(); ++node)
@@ -67,25 +104,6 @@ void RefineAboveThreshold(const vtkMTGraph& graph, Random& random, vtkMTCut& cut
   }
 }
 
-//------------------------------------------------------------------------------
-void Walk(const vtkMTGraph& graph, Random& random, vtkMTCut& cut)
-{
-  const std::uint32_t nodes = static_cast<std::uint32_t>(graph.Nodes.size());
-  const std::uint32_t steps = random.Below(4 * nodes) + 1;
-  const double coarsening = 0.5 * random.Uniform();
-  for (std::uint32_t i = 0; i < steps; ++i)
-  {
-    const std::uint32_t node = random.Below(nodes);
-    if (random.Uniform() < coarsening)
-    {
-      cut.Coarsen(node);
-    }
-    else
-    {
-      cut.Refine(node);
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -107,7 +125,7 @@ vtkMTCut vtkMTRandomCut::Make(const vtkMTGraph& graph, std::uint32_t seed, std::
   }
   else
   {
-    Walk(graph, random, cut);
+    Walk(graph, random, 1 + random.Below(static_cast<std::uint32_t>(graph.Nodes.size())), cut);
   }
   return cut;
 }

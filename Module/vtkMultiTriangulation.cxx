@@ -9,6 +9,7 @@
 #include "vtkMTMeshToPolyData.h"
 #include "vtkMTPatchSource.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 
 #include <utility>
 
@@ -24,7 +25,8 @@ vtkMultiTriangulation::~vtkMultiTriangulation() = default;
 void vtkMultiTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Source: " << (this->Source ? this->Source->GetName() : std::string("(none)")) << "\n";
+  const auto source = this->GetSource();
+  os << indent << "Source: " << (source ? source->GetName() : std::string("(none)")) << "\n";
   os << indent << "NumberOfNodes: " << this->GetNumberOfNodes() << "\n";
   os << indent << "NumberOfPatches: " << this->GetNumberOfPatches() << "\n";
   os << indent << "NumberOfLevels: " << this->GetNumberOfLevels() << "\n";
@@ -35,7 +37,8 @@ void vtkMultiTriangulation::PrintSelf(ostream& os, vtkIndent indent)
 void vtkMultiTriangulation::CopySource(vtkDataObject* from)
 {
   vtkMultiTriangulation* other = vtkMultiTriangulation::SafeDownCast(from);
-  this->Source = other ? other->Source : nullptr;
+  this->Source = other ? other->GetSource() : nullptr;
+  this->SourcePoints = this->Source ? this->Points : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -73,6 +76,7 @@ void vtkMultiTriangulation::Initialize()
 {
   this->Superclass::Initialize();
   this->Source.reset();
+  this->SourcePoints = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -91,31 +95,42 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
     return false;
   }
   this->Source = std::move(source);
+  this->SourcePoints = this->Points;
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkMTPatchSource> vtkMultiTriangulation::GetSource() const
+{
+  return this->SourcePoints == this->Points ? this->Source : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfNodes()
 {
-  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().Nodes.size()) : 0;
+  const auto source = this->GetSource();
+  return source ? static_cast<vtkIdType>(source->GetGraph().Nodes.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfPatches()
 {
-  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().Arcs.size()) : 0;
+  const auto source = this->GetSource();
+  return source ? static_cast<vtkIdType>(source->GetGraph().Arcs.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfLevels()
 {
-  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().GetNumberOfLevels()) : 0;
+  const auto source = this->GetSource();
+  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfLevels()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfFinestTriangles()
 {
-  return this->Source ? static_cast<vtkIdType>(this->Source->GetGraph().GetFinestTriangles()) : 0;
+  const auto source = this->GetSource();
+  return source ? static_cast<vtkIdType>(source->GetGraph().GetFinestTriangles()) : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -5,13 +5,18 @@
  *
  * A vtkMultiTriangulation is a vtkPolyData whose points and cells are the coarsest cut, so every filter, writer and mapper
  * of VTK takes it. It carries a shared handle to the patch source, which the toolkit's own mapper and filters use to
- * reach every other cut. ShallowCopy and DeepCopy share the handle: patches are immutable and are never copied.
+ * reach every other cut. ShallowCopy, DeepCopy and CopyStructure share the handle: patches are immutable and are never
+ * copied. The handle ends with the points that it came with: a filter that copies the structure and then gives it new
+ * points (a transform, say) has made another surface, and drawing the old patches for it would be wrong.
+ *
+ * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it.
  */
 #ifndef vtkMultiTriangulation_h
 #define vtkMultiTriangulation_h
 
 #include "vtkMTCoreModule.h" // For export macro
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <memory>
 
@@ -36,7 +41,8 @@ public:
    * an error event, when the coarsest patches cannot be read, and is then empty.
    */
   bool SetSource(std::shared_ptr<const vtkMTPatchSource> source);
-  std::shared_ptr<const vtkMTPatchSource> GetSource() const { return this->Source; }
+  /// Null when there is none, and from the moment when the points have been replaced.
+  std::shared_ptr<const vtkMTPatchSource> GetSource() const;
   ///@}
 
   ///@{
@@ -72,6 +78,7 @@ private:
   void CopySource(vtkDataObject* from);
 
   std::shared_ptr<const vtkMTPatchSource> Source;
+  vtkSmartPointer<vtkPoints> SourcePoints; // those which the handle belongs to
 };
 
 #endif
