@@ -26,9 +26,9 @@ struct vtkMTAssembler::Internals
   std::vector<unsigned char> HasCellColumn;
   bool First = true;
   vtkMTIdTable Table;
-  std::vector<std::uint32_t> FirstWedge;   // per point of the mesh
-  std::vector<std::uint32_t> NextWedge;    // per wedge of the mesh
-  std::vector<std::uint32_t> WedgeMap;     // per wedge of the patch
+  std::vector<std::uint32_t> FirstWedge; // per point of the mesh
+  std::vector<std::uint32_t> NextWedge;  // per wedge of the mesh
+  std::vector<std::uint32_t> WedgeMap;   // per wedge of the patch
 
   bool AreColumnsRight(const std::vector<vtkMTColumn>& columns, const std::vector<std::size_t>& sizes,
     std::vector<unsigned char>& has, std::size_t tuples) const

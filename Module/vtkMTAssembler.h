@@ -3,8 +3,8 @@
  * @class vtkMTAssembler
  * @brief puts patches together into one welded mesh, by identity
  *
- * Points that carry the same id become one point; the wedges of such a point are one when all their attribute values are
- * equal byte for byte. Everything else is appended. The order of the result follows the order of the patches, so it
+ * Points that carry the same id become one point; the wedges of such a point are one when all their attribute values
+ * are equal byte for byte. Everything else is appended. The order of the result follows the order of the patches, so it
  * depends on nothing else. Used for floors (BMT section 6), for the mesh of a cut and by the validator.
  */
 #ifndef vtkMTAssembler_h

@@ -79,9 +79,9 @@ std::array<double, 3> GetMiddleOfBox(const std::vector<Ball>& balls)
 
 //------------------------------------------------------------------------------
 /**
- * A small ball around balls, after Badoiu and Clarkson ("Smaller core-sets for balls", 2003): go towards the farthest one
- * by smaller and smaller steps, keep the best centre. The centre is a lattice point, so that its place in model units is
- * exact and the radius holds there as well.
+ * A small ball around balls, after Badoiu and Clarkson ("Smaller core-sets for balls", 2003): go towards the farthest
+ * one by smaller and smaller steps, keep the best centre. The centre is a lattice point, so that its place in model
+ * units is exact and the radius holds there as well.
  */
 Ball Enclose(const std::vector<Ball>& balls)
 {
@@ -203,11 +203,13 @@ std::vector<std::uint32_t> vtkMTGraph::Index()
 {
   std::vector<std::uint32_t> order(this->Arcs.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-    const vtkMTArc& left = this->Arcs[a];
-    const vtkMTArc& right = this->Arcs[b];
-    return left.From != right.From ? left.From < right.From : left.To < right.To;
-  });
+  std::stable_sort(order.begin(), order.end(),
+    [this](std::uint32_t a, std::uint32_t b)
+    {
+      const vtkMTArc& left = this->Arcs[a];
+      const vtkMTArc& right = this->Arcs[b];
+      return left.From != right.From ? left.From < right.From : left.To < right.To;
+    });
   std::vector<vtkMTArc> sorted;
   sorted.reserve(order.size());
   for (vtkMTNode& node : this->Nodes)

@@ -4,10 +4,10 @@
  * @brief the DAG of a Multi-Triangulation: nodes, arcs, saturated errors and spheres
  *
  * The Multi-Triangulation of Cignoni et al., "Batched Multi Triangulation" (2005), section 3.1, with the orientation of
- * its figures: the DAG runs from coarse to fine. A node is one region's simplification. Arcs that enter a node carry the
- * patches of its fragment (coarse), arcs that leave it those of its floor (fine). Node 0 is the source, the arcs that
- * leave it carry the coarsest patches; the last node is the sink, the arcs that enter it carry the finest ones. Every arc
- * runs from a smaller to a larger node index, which is the proof that the graph has no cycle.
+ * its figures: the DAG runs from coarse to fine. A node is one region's simplification. Arcs that enter a node carry
+ * the patches of its fragment (coarse), arcs that leave it those of its floor (fine). Node 0 is the source, the arcs
+ * that leave it carry the coarsest patches; the last node is the sink, the arcs that enter it carry the finest ones.
+ * Every arc runs from a smaller to a larger node index, which is the proof that the graph has no cycle.
  *
  * The error of an arc's patch is that of the node which the arc enters. Errors are saturated: Error(n) = StepError(n) +
  * the largest Error over the nodes that the arcs leaving n enter, so every point of the fragment is within Error(n) of
@@ -30,7 +30,7 @@
 
 struct vtkMTNode
 {
-  double Error = 0.0;      ///< saturated certified distance to the input, model units; at the sink the lattice's rounding
+  double Error = 0.0; ///< saturated certified distance to the input, model units; at the sink the lattice's rounding
   double StepError = 0.0;  ///< certified two-sided distance between this node's floor and fragment, model units
   double EdgeLength = 0.0; ///< saturated mean edge length of the fragment, model units
   std::array<double, 3> Center{ 0.0, 0.0, 0.0 }; ///< of the saturated sphere, model units
@@ -86,8 +86,8 @@ public:
   std::uint64_t GetFinestTriangles() const;
   void GetBounds(double bounds[6]) const;
 
-  /// Sorts Arcs, then fills Entering and the nodes' First/Count fields from the arcs' From and To. Gives the permutation: new arc i was
-  /// arc result[i].
+  /// Sorts Arcs, then fills Entering and the nodes' First/Count fields from the arcs' From and To. Gives the
+  /// permutation: new arc i was arc result[i].
   std::vector<std::uint32_t> Index();
 
   /**
@@ -99,9 +99,10 @@ public:
   /// BMT section 3.2: how well conditioned the DAG is.
   struct Conditioning
   {
-    std::uint32_t Depth = 0;     ///< nodes on the longest path from source to sink, both not counted
-    double DiameterRatio = 0.0;  ///< mean over the levels of (median diameter of a level) / (that of the next finer)
-    std::uint32_t FullySharedBorders = 0; ///< filled by the builder: nodes that share their border with all of their floor's fragments
+    std::uint32_t Depth = 0;    ///< nodes on the longest path from source to sink, both not counted
+    double DiameterRatio = 0.0; ///< mean over the levels of (median diameter of a level) / (that of the next finer)
+    std::uint32_t FullySharedBorders =
+      0; ///< filled by the builder: nodes that share their border with all of their floor's fragments
   };
   Conditioning GetConditioning() const;
   std::uint32_t FullySharedBorders = 0;

@@ -76,8 +76,7 @@ vtkMTLattice vtkMTLattice::FromBounds(const double bounds[6], int bits)
     const double middle = 0.5 * bounds[2 * i] + 0.5 * bounds[2 * i + 1];
     lattice.Origin[i] = static_cast<std::int64_t>(std::nearbyint(middle / lattice.Step));
   }
-  lattice.MaximumShift =
-    std::nextafter(0.5 * std::sqrt(3.0) * lattice.Step, std::numeric_limits<double>::infinity());
+  lattice.MaximumShift = std::nextafter(0.5 * std::sqrt(3.0) * lattice.Step, std::numeric_limits<double>::infinity());
   return lattice;
 }
 

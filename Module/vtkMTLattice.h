@@ -32,7 +32,7 @@ struct VTKMTCORE_EXPORT vtkMTLattice
   static constexpr int MinimumBits = 10;
   static constexpr int MaximumBits = 31;
 
-  double Step = 1.0;                            ///< model units, a power of two
+  double Step = 1.0;                             ///< model units, a power of two
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 }; ///< in steps
   double MaximumShift = 0.0; ///< model units: no snapped point lies farther from its input point than this
 

@@ -48,8 +48,8 @@ void AddArray(
 }
 
 //------------------------------------------------------------------------------
-void vtkMTMeshToPolyData::Convert(const vtkMTPatch& mesh, const vtkMTLattice& lattice,
-  const std::vector<vtkMTArrayInfo>& arrays, vtkPolyData* output)
+void vtkMTMeshToPolyData::Convert(
+  const vtkMTPatch& mesh, const vtkMTLattice& lattice, const std::vector<vtkMTArrayInfo>& arrays, vtkPolyData* output)
 {
   output->Initialize();
   const std::size_t wedges = mesh.GetNumberOfWedges();

@@ -3,8 +3,8 @@
  * @class vtkMTMeshToPolyData
  * @brief a patch or an assembled mesh as vtkPolyData
  *
- * One VTK point per wedge (VTK's points carry one set of attribute values), in double precision: Step * (Origin + k) is exact
- * there. Arrays get back their names, types, component names and active attributes.
+ * One VTK point per wedge (VTK's points carry one set of attribute values), in double precision: Step * (Origin + k) is
+ * exact there. Arrays get back their names, types, component names and active attributes.
  */
 #ifndef vtkMTMeshToPolyData_h
 #define vtkMTMeshToPolyData_h

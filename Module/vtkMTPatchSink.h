@@ -5,8 +5,8 @@
  *
  * The builder calls Begin once, then WritePatch for patch 0, 1, 2 ... in an order that depends on the input and the
  * settings alone (finest level first), then Finish with the finished graph, whose arc i carries the patch that was
- * written as number patchOfArc[i]; or Abandon, after which nothing of the model must remain. A sink publishes its model whole in Finish or not
- * at all. All calls come from one thread.
+ * written as number patchOfArc[i]; or Abandon, after which nothing of the model must remain. A sink publishes its model
+ * whole in Finish or not at all. All calls come from one thread.
  */
 #ifndef vtkMTPatchSink_h
 #define vtkMTPatchSink_h

@@ -3,8 +3,8 @@
  * @class vtkMTPatchSource
  * @brief where patches come from: a file, a store in memory, a server
  *
- * The waist of the hourglass: cut extraction, cache, mapper, extraction to a mesh and verification know a Multi-Triangulation
- * through this class only. It is no vtkObject: loader threads use it.
+ * The waist of the hourglass: cut extraction, cache, mapper, extraction to a mesh and verification know a
+ * Multi-Triangulation through this class only. It is no vtkObject: loader threads use it.
  *
  * Threads: GetGraph and ReadPatch may be called from any number of threads at once.
  */

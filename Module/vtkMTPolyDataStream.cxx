@@ -153,8 +153,8 @@ struct vtkMTPolyDataStream::Internals
   vtkIdType FirstPolyCell = 0;
 
   vtkIdType NextPoint = 0;
-  vtkIdType NextCell = 0;             // counts polygons, then strips
-  std::vector<Triangle> Cell;         // triangles of the present cell
+  vtkIdType NextCell = 0;     // counts polygons, then strips
+  std::vector<Triangle> Cell; // triangles of the present cell
   std::size_t NextInCell = 0;
 
   vtkNew<vtkIdList> CellPoints;
@@ -335,8 +335,7 @@ bool vtkMTPolyDataStream::Internals::AddEars()
   const vtkIdType* ids = this->CellPoints->GetPointer(0);
   for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
   {
-    this->AddTriangle(
-      ids[this->Ears->GetId(i)], ids[this->Ears->GetId(i + 1)], ids[this->Ears->GetId(i + 2)]);
+    this->AddTriangle(ids[this->Ears->GetId(i)], ids[this->Ears->GetId(i + 1)], ids[this->Ears->GetId(i + 2)]);
   }
   return true;
 }
@@ -430,8 +429,7 @@ bool vtkMTPolyDataStream::Rewind()
 bool vtkMTPolyDataStream::NextPoints(PointBlock& block)
 {
   Internals& in = *this->Implementation;
-  const vtkIdType end =
-    std::min(in.NextPoint + static_cast<vtkIdType>(BlockSize), in.Input->GetNumberOfPoints());
+  const vtkIdType end = std::min(in.NextPoint + static_cast<vtkIdType>(BlockSize), in.Input->GetNumberOfPoints());
   block.Points.resize(end - in.NextPoint);
   block.Columns.assign(in.PointColumns.size(), vtkMTColumn());
   for (vtkIdType i = in.NextPoint; i < end; ++i)

@@ -58,21 +58,24 @@ bool CheckIndices(const vtkMTGraph& graph, Result& result)
   const std::size_t arcs = graph.Arcs.size();
   bool ok = Expect(result, "graph", nodes >= 2 && arcs > 0, "a graph needs a source, a sink and an arc: ", nodes,
     " nodes, ", arcs, " arcs");
-  ok = Expect(result, "graph", graph.Entering.size() == arcs, "Entering has ", graph.Entering.size(),
-         " entries for ", arcs, " arcs") && ok;
+  ok = Expect(result, "graph", graph.Entering.size() == arcs, "Entering has ", graph.Entering.size(), " entries for ",
+         arcs, " arcs") &&
+    ok;
   for (std::size_t i = 0; i < arcs; ++i)
   {
     const vtkMTArc& arc = graph.Arcs[i];
-    ok = Expect(result, "graph", arc.From < arc.To && arc.To < nodes, "arc ", i, " runs from node ", arc.From,
-           " to ", arc.To, " of ", nodes) && ok;
+    ok = Expect(result, "graph", arc.From < arc.To && arc.To < nodes, "arc ", i, " runs from node ", arc.From, " to ",
+           arc.To, " of ", nodes) &&
+      ok;
     const bool sorted = i == 0 || graph.Arcs[i - 1].From < arc.From ||
       (graph.Arcs[i - 1].From == arc.From && graph.Arcs[i - 1].To <= arc.To);
     ok = Expect(result, "graph", sorted, "arc ", i, " is out of order") && ok;
   }
   for (std::size_t i = 0; i < graph.Entering.size(); ++i)
   {
-    ok = Expect(result, "graph", graph.Entering[i] < arcs, "Entering ", i, " is arc ", graph.Entering[i], " of ",
-           arcs) && ok;
+    ok =
+      Expect(result, "graph", graph.Entering[i] < arcs, "Entering ", i, " is arc ", graph.Entering[i], " of ", arcs) &&
+      ok;
   }
   std::uint64_t out = 0;
   std::uint64_t in = 0;
@@ -80,12 +83,14 @@ bool CheckIndices(const vtkMTGraph& graph, Result& result)
   {
     const vtkMTNode& node = graph.Nodes[i];
     ok = Expect(result, "graph", node.FirstOut == out && node.FirstIn == in, "the arcs of node ", i,
-           " do not begin where those of the node before end") && ok;
+           " do not begin where those of the node before end") &&
+      ok;
     out += node.OutCount;
     in += node.InCount;
   }
   return Expect(result, "graph", out == arcs && in == arcs, "the nodes have ", out, " arcs that leave and ", in,
-           " that enter, of ", arcs) && ok;
+           " that enter, of ", arcs) &&
+    ok;
 }
 
 //------------------------------------------------------------------------------
@@ -98,9 +103,11 @@ bool CheckPaths(const vtkMTGraph& graph, Result& result)
     const vtkMTNode& node = graph.Nodes[i];
     // Arcs run forward, so a node has a path from the source when all but the source are entered; likewise to the sink.
     ok = Expect(result, "graph", (node.InCount > 0) == (i != graph.GetSource()), "node ", i, " is entered by ",
-           node.InCount, " arcs") && ok;
+           node.InCount, " arcs") &&
+      ok;
     ok = Expect(result, "graph", (node.OutCount > 0) == (i != graph.GetSink()), "node ", i, " is left by ",
-           node.OutCount, " arcs") && ok;
+           node.OutCount, " arcs") &&
+      ok;
     for (std::uint32_t a = 0; a < node.OutCount; ++a)
     {
       const vtkMTArc& arc = graph.Arcs[node.FirstOut + a];
@@ -111,7 +118,8 @@ bool CheckPaths(const vtkMTGraph& graph, Result& result)
       const std::uint32_t arc = graph.Entering[node.FirstIn + a];
       const bool sorted = a == 0 || graph.Entering[node.FirstIn + a - 1] < arc;
       ok = Expect(result, "graph", graph.Arcs[arc].To == i && sorted, "arc ", arc, " does not enter node ", i,
-             " in order") && ok;
+             " in order") &&
+        ok;
     }
   }
   return ok;
@@ -127,7 +135,8 @@ bool CheckLevels(const vtkMTGraph& graph, Result& result)
     const std::uint32_t from = graph.Nodes[graph.Arcs[i].From].Level;
     const std::uint32_t to = graph.Nodes[graph.Arcs[i].To].Level;
     ok = Expect(result, "graph", from > to && from < graph.Nodes.size(), "arc ", i, " runs from level ", from,
-           " to level ", to) && ok;
+           " to level ", to) &&
+      ok;
   }
   return ok;
 }
@@ -186,8 +195,8 @@ void CheckSaturation(const vtkMTGraph& graph, Result& result)
         " is not saturated: node ", to, " below has ", finer.EdgeLength);
       Expect(result, "graph", sphere.Holds(graph.Arcs[index].Box), "the sphere of node ", i,
         " does not hold the patch of arc ", index, " which leaves it");
-      Expect(result, "graph", to == graph.GetSink() || sphere.Holds(Sphere(graph.Lattice, finer)), "the sphere of node ",
-        i, " does not hold that of node ", to, " below");
+      Expect(result, "graph", to == graph.GetSink() || sphere.Holds(Sphere(graph.Lattice, finer)),
+        "the sphere of node ", i, " does not hold that of node ", to, " below");
     }
     for (std::uint32_t a = 0; a < node.InCount; ++a)
     {
@@ -216,8 +225,8 @@ void CheckRecords(const vtkMTGraph& graph, Result& result)
 }
 
 //------------------------------------------------------------------------------
-void CheckColumns(const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays, const std::string& name,
-  Result& result)
+void CheckColumns(
+  const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays, const std::string& name, Result& result)
 {
   std::size_t next[2] = { 0, 0 };
   for (const vtkMTArrayInfo& array : arrays)
@@ -244,13 +253,15 @@ bool CheckTriangles(const vtkMTPatch& mesh, const std::string& name, Result& res
   for (std::size_t w = 0; w < mesh.WedgePoints.size(); ++w)
   {
     ok = Expect(result, "patch", mesh.WedgePoints[w] < mesh.Points.size(), name, ": wedge ", w, " is of point ",
-           mesh.WedgePoints[w], " of ", mesh.Points.size()) && ok;
+           mesh.WedgePoints[w], " of ", mesh.Points.size()) &&
+      ok;
   }
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
     const vtkMTTriangle& triangle = mesh.Triangles[t];
     ok = Expect(result, "patch", triangle[0] < wedges && triangle[1] < wedges && triangle[2] < wedges, name,
-           ": triangle ", t, " has a wedge that does not exist") && ok;
+           ": triangle ", t, " has a wedge that does not exist") &&
+      ok;
   }
   for (std::size_t t = 0; ok && t < mesh.Triangles.size(); ++t)
   {
@@ -277,8 +288,8 @@ void CheckRecord(const vtkMTArc& arc, const vtkMTPatch& patch, const std::string
     arc.Triangles == patch.Triangles.size() && arc.Points == patch.Points.size() &&
       arc.Wedges == patch.GetNumberOfWedges() && arc.SharedPoints == patch.Ids.size(),
     name, " has ", patch.Triangles.size(), " triangles, ", patch.Points.size(), " points, ", patch.GetNumberOfWedges(),
-    " wedges, ", patch.Ids.size(), " shared points; its record says ", arc.Triangles, ", ", arc.Points, ", ", arc.Wedges,
-    ", ", arc.SharedPoints);
+    " wedges, ", patch.Ids.size(), " shared points; its record says ", arc.Triangles, ", ", arc.Points, ", ",
+    arc.Wedges, ", ", arc.SharedPoints);
   Expect(result, "patch", arc.Box == patch.GetBox(), name, ": the box of its record is not that of its triangles");
 }
 

@@ -4,11 +4,11 @@
  * @brief checks every invariant of a Multi-Triangulation that can be checked, and says what is wrong and where
  *
  * Graph: indices in range, arcs sorted and running forward, one source and one sink, every node on a path, errors and
- * edge lengths saturated, spheres nested, boxes inside spheres, counts that agree. Patch: indices in range, columns of the right size, ids
- * unique, box tight, no triangle with a repeated point. Node: the fragment pastes into its floor, that is, the edges along which both
- * meet the rest of the mesh are the same ones by identity (BMT section 3.2), and shared points are equal bit for bit. Cut: every
- * edge that is inner in the mesh of its own level is inner in the cut, and no edge has more triangles than in its own
- * level's mesh.
+ * edge lengths saturated, spheres nested, boxes inside spheres, counts that agree. Patch: indices in range, columns of
+ * the right size, ids unique, box tight, no triangle with a repeated point. Node: the fragment pastes into its floor,
+ * that is, the edges along which both meet the rest of the mesh are the same ones by identity (BMT section 3.2), and
+ * shared points are equal bit for bit. Cut: every edge that is inner in the mesh of its own level is inner in the cut,
+ * and no edge has more triangles than in its own level's mesh.
  *
  * Conformity needs no mesh of the whole cut: an edge inside a patch is the same in every cut, so only the edges between
  * shared points are compared.
@@ -63,7 +63,8 @@ public:
     /// Checks every patch and every node's pasting on the way.
     Result Load(const vtkMTPatchSource& source);
     Result Cut(const vtkMTCut& cut) const;
-    /// Edges of the cut with one triangle only, each of them with one triangle in its own level's mesh too when the cut is valid.
+    /// Edges of the cut with one triangle only, each of them with one triangle in its own level's mesh too when the cut
+    /// is valid.
     std::uint64_t CountBorderEdges(const vtkMTCut& cut) const;
 
   private:

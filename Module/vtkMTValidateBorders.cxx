@@ -71,12 +71,12 @@ struct vtkMTValidate::Borders::Internals
   std::uint32_t FindPoint(std::uint64_t id, const vtkMTPoint& place, std::uint32_t level, Result& result);
   std::uint32_t FindEdge(std::uint32_t from, std::uint32_t to, bool& forward);
   void AddPatch(std::uint32_t arc, const vtkMTPatch& patch, Result& result);
-  void AddEdge(const std::vector<std::uint32_t>& shared, std::uint32_t a, std::uint32_t b, EdgeCount count,
-    PatchBorder& border);
+  void AddEdge(
+    const std::vector<std::uint32_t>& shared, std::uint32_t a, std::uint32_t b, EdgeCount count, PatchBorder& border);
   void LoadPatches(const vtkMTPatchSource& source, Result& result);
   void CheckLevels(Result& result);
-  void CheckNode(std::uint32_t node, const std::vector<EdgeCount>& finer, const std::vector<EdgeCount>& coarser,
-    Result& result);
+  void CheckNode(
+    std::uint32_t node, const std::vector<EdgeCount>& finer, const std::vector<EdgeCount>& coarser, Result& result);
   std::string Describe(std::uint32_t edge) const;
 };
 
@@ -99,8 +99,8 @@ std::uint32_t vtkMTValidate::Borders::Internals::FindPoint(
   }
   if (index != vtkMTIdTable::None && this->Points[index].Level == level)
   {
-    result.Report("paste",
-      "the shared point " + std::to_string(id) + " lies in two places on level " + std::to_string(level));
+    result.Report(
+      "paste", "the shared point " + std::to_string(id) + " lies in two places on level " + std::to_string(level));
     return index;
   }
   index = static_cast<std::uint32_t>(this->Points.size());
@@ -125,8 +125,8 @@ std::uint32_t vtkMTValidate::Borders::Internals::FindEdge(std::uint32_t from, st
 
 //------------------------------------------------------------------------------
 // a < b are points of the patch; shared has the numbers of its first points.
-void vtkMTValidate::Borders::Internals::AddEdge(const std::vector<std::uint32_t>& shared, std::uint32_t a,
-  std::uint32_t b, EdgeCount count, PatchBorder& border)
+void vtkMTValidate::Borders::Internals::AddEdge(
+  const std::vector<std::uint32_t>& shared, std::uint32_t a, std::uint32_t b, EdgeCount count, PatchBorder& border)
 {
   if (b >= shared.size())
   {
@@ -173,8 +173,8 @@ void vtkMTValidate::Borders::Internals::AddPatch(std::uint32_t arc, const vtkMTP
     {
       ++(this->Directed[i] & 1 ? count.Backward : count.Forward);
     }
-    this->AddEdge(shared, static_cast<std::uint32_t>(edge >> 31), static_cast<std::uint32_t>(edge & 0x7FFFFFFF), count,
-      border);
+    this->AddEdge(
+      shared, static_cast<std::uint32_t>(edge >> 31), static_cast<std::uint32_t>(edge & 0x7FFFFFFF), count, border);
   }
   border.Count = this->Uses.size() - border.First;
 }
@@ -188,9 +188,8 @@ void vtkMTValidate::Borders::Internals::LoadPatches(const vtkMTPatchSource& sour
     order[arc] = arc;
   }
   // Level by level, so that a point which lies in two places of one level is noticed.
-  std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-    return this->Graph->GetLevelOfArc(a) < this->Graph->GetLevelOfArc(b);
-  });
+  std::stable_sort(order.begin(), order.end(),
+    [this](std::uint32_t a, std::uint32_t b) { return this->Graph->GetLevelOfArc(a) < this->Graph->GetLevelOfArc(b); });
   vtkMTPatch patch;
   std::string error;
   for (std::uint32_t arc : order)
@@ -264,8 +263,8 @@ void vtkMTValidate::Borders::Internals::CheckLevels(Result& result)
  * as many triangles of the fragment as of the floor, in each direction: otherwise replacing one by the other opens or
  * crowds the mesh there. And a floor without open edges has a fragment without open edges.
  */
-void vtkMTValidate::Borders::Internals::CheckNode(std::uint32_t index, const std::vector<EdgeCount>& finer,
-  const std::vector<EdgeCount>& coarser, Result& result)
+void vtkMTValidate::Borders::Internals::CheckNode(
+  std::uint32_t index, const std::vector<EdgeCount>& finer, const std::vector<EdgeCount>& coarser, Result& result)
 {
   const vtkMTGraph& graph = *this->Graph;
   const vtkMTNode& node = graph.Nodes[index];
@@ -304,23 +303,23 @@ void vtkMTValidate::Borders::Internals::CheckNode(std::uint32_t index, const std
     }
     open[0] += sum.Count[0].Sum() == 1 && finer[sum.Edge].Sum() == 1 ? 1 : 0;
     open[1] += sum.Count[1].Sum() == 1 && coarser[sum.Edge].Sum() == 1 ? 1 : 0;
-    const bool outside =
-      finer[sum.Edge].Sum() > sum.Count[0].Sum() || coarser[sum.Edge].Sum() > sum.Count[1].Sum();
+    const bool outside = finer[sum.Edge].Sum() > sum.Count[0].Sum() || coarser[sum.Edge].Sum() > sum.Count[1].Sum();
     ++result.Tested;
     if (outside && !(sum.Count[0] == sum.Count[1]))
     {
       result.Report("paste",
-        "node " + std::to_string(index) + " of level " + std::to_string(node.Level) + ": " +
-          this->Describe(sum.Edge) + " has " + std::to_string(sum.Count[0].Forward) + "+" +
-          std::to_string(sum.Count[0].Backward) + " triangles in the floor, " + std::to_string(sum.Count[1].Forward) +
-          "+" + std::to_string(sum.Count[1].Backward) + " in the fragment");
+        "node " + std::to_string(index) + " of level " + std::to_string(node.Level) + ": " + this->Describe(sum.Edge) +
+          " has " + std::to_string(sum.Count[0].Forward) + "+" + std::to_string(sum.Count[0].Backward) +
+          " triangles in the floor, " + std::to_string(sum.Count[1].Forward) + "+" +
+          std::to_string(sum.Count[1].Backward) + " in the fragment");
     }
   }
   ++result.Tested;
   if (open[0] == 0 && open[1] > 0)
   {
-    result.Report("paste", "node " + std::to_string(index) + " of level " + std::to_string(node.Level) +
-        ": the fragment has " + std::to_string(open[1]) + " open edges, the floor none");
+    result.Report("paste",
+      "node " + std::to_string(index) + " of level " + std::to_string(node.Level) + ": the fragment has " +
+        std::to_string(open[1]) + " open edges, the floor none");
   }
 }
 
@@ -372,10 +371,10 @@ vtkMTValidate::Result vtkMTValidate::Borders::Cut(const vtkMTCut& cut) const
       const bool opened = uses[i].InLevel >= 2 && count < 2;
       if (opened || count > uses[i].InLevel)
       {
-        result.Report("cut", "patch " + std::to_string(arc) + " of level " +
-            std::to_string(in.Graph->GetLevelOfArc(arc)) + ": " + in.Describe(uses[i].Edge) + " has " +
-            std::to_string(count) + " triangles in the cut, " + std::to_string(uses[i].InLevel) +
-            " in the mesh of its level");
+        result.Report("cut",
+          "patch " + std::to_string(arc) + " of level " + std::to_string(in.Graph->GetLevelOfArc(arc)) + ": " +
+            in.Describe(uses[i].Edge) + " has " + std::to_string(count) + " triangles in the cut, " +
+            std::to_string(uses[i].InLevel) + " in the mesh of its level");
       }
     }
   }

@@ -3,11 +3,11 @@
  * @class vtkMultiTriangulation
  * @brief a Multi-Triangulation as a VTK data object: its coarsest cut, and a handle to all its patches
  *
- * A vtkMultiTriangulation is a vtkPolyData whose points and cells are the coarsest cut, so every filter, writer and mapper
- * of VTK takes it. It carries a shared handle to the patch source, which the toolkit's own mapper and filters use to
- * reach every other cut. ShallowCopy, DeepCopy and CopyStructure share the handle: patches are immutable and are never
- * copied. The handle ends with the points that it came with: a filter that copies the structure and then gives it new
- * points (a transform, say) has made another surface, and drawing the old patches for it would be wrong.
+ * A vtkMultiTriangulation is a vtkPolyData whose points and cells are the coarsest cut, so every filter, writer and
+ * mapper of VTK takes it. It carries a shared handle to the patch source, which the toolkit's own mapper and filters
+ * use to reach every other cut. ShallowCopy, DeepCopy and CopyStructure share the handle: patches are immutable and are
+ * never copied. The handle ends with the points that it came with: a filter that copies the structure and then gives it
+ * new points (a transform, say) has made another surface, and drawing the old patches for it would be wrong.
  *
  * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it.
  */
@@ -61,8 +61,8 @@ public:
   ///@}
 
   /**
-   * The welded mesh of any cut as polydata, with all arrays of the model. Returns false, with the reason in error, when a patch
-   * cannot be read.
+   * The welded mesh of any cut as polydata, with all arrays of the model. Returns false, with the reason in error, when
+   * a patch cannot be read.
    */
   static bool CutToPolyData(
     const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);

@@ -126,7 +126,8 @@ inline void MakeIcosphere(int subdivisions, std::vector<Place>& places, std::vec
   for (int i = 0; i < subdivisions; ++i)
   {
     std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> middles;
-    const auto middle = [&](vtkIdType a, vtkIdType b) {
+    const auto middle = [&](vtkIdType a, vtkIdType b)
+    {
       const auto found = middles.insert({ std::minmax(a, b), static_cast<vtkIdType>(places.size()) });
       if (found.second)
       {
@@ -421,8 +422,7 @@ inline Mesh ManyComponents(int count, int subdivisions = 0, std::uint64_t seed =
   for (int i = 0; i < count; ++i)
   {
     const double scale = random.Uniform(0.001, 0.01);
-    Append(places, triangles, sphere, sphereTriangles, scale,
-      { random.Uniform(), random.Uniform(), random.Uniform() });
+    Append(places, triangles, sphere, sphereTriangles, scale, { random.Uniform(), random.Uniform(), random.Uniform() });
   }
   return Make(places, triangles);
 }
@@ -621,8 +621,9 @@ inline Mesh Polygons(int count)
   {
     const double x = 2.0 * k;
     const vtkIdType first = static_cast<vtkIdType>(places.size());
-    places.insert(places.end(), { { x, 0, 0 }, { x + 2, 0, 0 }, { x + 2, 1, 0 }, { x + 1, 1, 0 }, { x + 1, 2, 0 },
-      { x, 2, 0 }, { x + 2, 2, 0 } });
+    places.insert(places.end(),
+      { { x, 0, 0 }, { x + 2, 0, 0 }, { x + 2, 1, 0 }, { x + 1, 1, 0 }, { x + 1, 2, 0 }, { x, 2, 0 },
+        { x + 2, 2, 0 } });
     const vtkIdType ell[6] = { first, first + 1, first + 2, first + 3, first + 4, first + 5 };
     const vtkIdType square[4] = { first + 3, first + 2, first + 6, first + 4 };
     polys->InsertNextCell(6, ell);
@@ -691,9 +692,10 @@ inline Mesh OnlyDegenerate(int count)
 
 //------------------------------------------------------------------------------
 /**
- * Adds arrays of many kinds to any mesh. Points: "elevation" (double, active scalars: the place's z), "colour" (unsigned
- * char, 3 components), "label" (int: x below or above the middle), "tensor" (float, 9 components with names on the first
- * two), "ids" (vtkIdType, global ids). Cells: "face" (vtkIdType: the cell's number), "weight" (float), "flag" (short).
+ * Adds arrays of many kinds to any mesh. Points: "elevation" (double, active scalars: the place's z), "colour"
+ * (unsigned char, 3 components), "label" (int: x below or above the middle), "tensor" (float, 9 components with names
+ * on the first two), "ids" (vtkIdType, global ids). Cells: "face" (vtkIdType: the cell's number), "weight" (float),
+ * "flag" (short).
  */
 inline void AddArrays(vtkPolyData* mesh)
 {
@@ -759,9 +761,9 @@ inline void AddArrays(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 struct EdgeFigures
 {
-  vtkIdType Open = 0;     ///< edges with one triangle
-  vtkIdType Inner = 0;    ///< with two, in opposite directions
-  vtkIdType Crowded = 0;  ///< all others
+  vtkIdType Open = 0;    ///< edges with one triangle
+  vtkIdType Inner = 0;   ///< with two, in opposite directions
+  vtkIdType Crowded = 0; ///< all others
 };
 
 /// Edges of a mesh of triangles by the points' indices, or by their places when byPlace.

@@ -26,9 +26,9 @@ namespace MTTestModel
 {
 struct TubeOptions
 {
-  int Rings = 256;   ///< of the finest level
-  int Across = 8;    ///< points of a ring
-  int Regions = 16;  ///< of the first step; halved from step to step down to 1
+  int Rings = 256;  ///< of the finest level
+  int Across = 8;   ///< points of a ring
+  int Regions = 16; ///< of the first step; halved from step to step down to 1
   double Scale = 1.0;
   std::array<double, 3> Offset{ 0.0, 0.0, 0.0 };
   bool Arrays = true; ///< "height" (float, active scalars), "uv" (float 2, active texture coordinates, with a seam) and
@@ -123,10 +123,10 @@ public:
 private:
   struct Segment
   {
-    int First;            // ring
-    int Length;           // in rings of the finest level
-    std::uint32_t Finer;  // the node that made it: arcs with it enter that node
-    vtkIdType Cell;       // an input cell that it stands for
+    int First;           // ring
+    int Length;          // in rings of the finest level
+    std::uint32_t Finer; // the node that made it: arcs with it enter that node
+    vtkIdType Cell;      // an input cell that it stands for
   };
 
   int GetRegions(int step) const { return std::max(1, this->Options.Regions >> step); }

@@ -62,8 +62,7 @@ TEST(Assembler, PointsAreOneByIdAndNotByPlace)
   EXPECT_EQ(mesh.GetNumberOfWedges(), 4u + 3u);
   EXPECT_EQ(mesh.Triangles.size(), 3u);
   EXPECT_EQ(mesh.Ids,
-    (std::vector<std::uint64_t>{
-      10, 11, vtkMTAssembler::NoId, vtkMTAssembler::NoId, 20, 21, vtkMTAssembler::NoId }));
+    (std::vector<std::uint64_t>{ 10, 11, vtkMTAssembler::NoId, vtkMTAssembler::NoId, 20, 21, vtkMTAssembler::NoId }));
   EXPECT_EQ(assembler.GetPointMap(), (std::vector<std::uint32_t>{ 4, 5, 6 }));
   EXPECT_EQ(FromColumn<int>(mesh.CellColumns[0]), (std::vector<int>{ 5, -5, 5 }));
   EXPECT_EQ(vtkMTValidate::Mesh(mesh, OneFloatPerWedge()).Violations, 0u);
@@ -124,7 +123,8 @@ TEST(Assembler, BrokenPatchesAreRefusedWithAReason)
     vtkMTAssembler assembler(OneFloatPerWedge());
     ASSERT_TRUE(assembler.Add(good));
     EXPECT_FALSE(assembler.Add(patch.second)) << patch.first;
-    EXPECT_NE(assembler.GetError().find(patch.first.substr(0, patch.first.find_last_not_of(' ') + 1)), std::string::npos)
+    EXPECT_NE(
+      assembler.GetError().find(patch.first.substr(0, patch.first.find_last_not_of(' ') + 1)), std::string::npos)
       << assembler.GetError();
   }
 }

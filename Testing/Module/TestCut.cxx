@@ -13,8 +13,8 @@ namespace
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
 /**
- * Figure 1 of the BMT paper: g3 depends on D0, g1 and g2; g4 on g1 alone. Node 0 is D0, node 5 the sink; the number of an
- * arc's triangles is 10 from + to.
+ * Figure 1 of the BMT paper: g3 depends on D0, g1 and g2; g4 on g1 alone. Node 0 is D0, node 5 the sink; the number of
+ * an arc's triangles is 10 from + to.
  */
 vtkMTGraph PaperGraph()
 {
@@ -26,8 +26,8 @@ vtkMTGraph PaperGraph()
     graph.Nodes[i].Level = levels[i];
     graph.Nodes[i].StepError = levels[i];
   }
-  for (const Ends& ends : { Ends{ 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 5 }, { 1, 3 }, { 1, 4 }, { 2, 3 }, { 2, 5 }, { 3, 5 },
-         { 4, 5 } })
+  for (const Ends& ends :
+    { Ends{ 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 5 }, { 1, 3 }, { 1, 4 }, { 2, 3 }, { 2, 5 }, { 3, 5 }, { 4, 5 } })
   {
     vtkMTArc arc;
     arc.From = ends.first;

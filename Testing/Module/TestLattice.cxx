@@ -72,8 +72,8 @@ TEST(Lattice, SnappingNeverShiftsMoreThanMaximumShift)
       EXPECT_GT(lattice.MaximumShift, 0.0);
       if (bits == 24)
       {
-        std::cout << scene.Name << ": step " << lattice.Step << ", worst shift / bound "
-                  << worst / lattice.MaximumShift << "\n";
+        std::cout << scene.Name << ": step " << lattice.Step << ", worst shift / bound " << worst / lattice.MaximumShift
+                  << "\n";
       }
     }
   }

@@ -149,12 +149,12 @@ TEST(MultiTriangulation, FinestCutAsPolyDataHasEveryRing)
 TEST(MeshToPolyData, EveryTypeOfArraySurvivesARoundTrip)
 {
   vtkSmartPointer<vtkPolyData> mesh = MTTestMeshes::Terrain(5, 4);
-  for (int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
-         VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT,
-         VTK_DOUBLE })
+  for (int type :
+    { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG,
+      VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
   {
-    for (vtkDataSetAttributes* attributes :
-      { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()), static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
+    for (vtkDataSetAttributes* attributes : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
     {
       const bool points = attributes == mesh->GetPointData();
       vtkSmartPointer<vtkDataArray> array;
@@ -184,8 +184,8 @@ TEST(MeshToPolyData, EveryTypeOfArraySurvivesARoundTrip)
   }
   for (const auto& t : triangles.Triangles)
   {
-    patch.Triangles.push_back({ static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
-      static_cast<std::uint32_t>(t[2]) });
+    patch.Triangles.push_back(
+      { static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2]) });
   }
   patch.PointColumns = points.Columns;
   patch.CellColumns = triangles.Columns;

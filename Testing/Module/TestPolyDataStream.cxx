@@ -123,7 +123,8 @@ TEST(PolyDataStream, QuadsPolygonsAndStripsCoverTheSameAreaTheSameWayRound)
     double Area;
   };
   const Case cases[] = { { "quads", MTTestMeshes::Quads(11, 7), 2 * 10 * 6, 1.0 },
-    { "strips", MTTestMeshes::Strips(11, 7), 2 * 10 * 6, 1.0 }, { "polygons", MTTestMeshes::Polygons(5), 5 * 6, 20.0 } };
+    { "strips", MTTestMeshes::Strips(11, 7), 2 * 10 * 6, 1.0 },
+    { "polygons", MTTestMeshes::Polygons(5), 5 * 6, 20.0 } };
   for (const Case& c : cases)
   {
     vtkMTPolyDataStream stream(c.Mesh);
@@ -137,8 +138,7 @@ TEST(PolyDataStream, QuadsPolygonsAndStripsCoverTheSameAreaTheSameWayRound)
 
 TEST(PolyDataStream, ConvexQuadsAreSplitAlongTheShorterDiagonal)
 {
-  const auto mesh = MTTestMeshes::Make(
-    { { 0, 0, 0 }, { 4, 1, 0 }, { 5, 3, 0 }, { 1, 2, 0 }, { 0.5, 0.5, 0 } }, {});
+  const auto mesh = MTTestMeshes::Make({ { 0, 0, 0 }, { 4, 1, 0 }, { 5, 3, 0 }, { 1, 2, 0 }, { 0.5, 0.5, 0 } }, {});
   vtkNew<vtkCellArray> polys;
   const vtkIdType quads[3][4] = { { 0, 1, 2, 3 }, { 1, 2, 3, 0 }, { 0, 1, 4, 3 } };
   for (const auto& quad : quads)
@@ -197,12 +197,12 @@ TEST(PolyDataStream, BadPolygonsKeepTheirNumberOfTriangles)
   const auto mesh = MTTestMeshes::Make(
     { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { nan, 0, 0 }, { 0, 0, 0 }, { 0.5, 0, 0 } }, {});
   vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 1, 2, 3 });        // crosses itself
-  polys->InsertNextCell({ 0, 2, 1, 3, 4 });     // a point that is no number
-  polys->InsertNextCell({ 0, 2, 1, 3, 99 });    // a point that does not exist
-  polys->InsertNextCell({ 0, -7, 1, 3 });       // the same
-  polys->InsertNextCell({ 0, 6, 2, 6, 0, 5 });  // no area
-  polys->InsertNextCell({ 0, 0, 0, 0 });        // one point
+  polys->InsertNextCell({ 0, 1, 2, 3 });          // crosses itself
+  polys->InsertNextCell({ 0, 2, 1, 3, 4 });       // a point that is no number
+  polys->InsertNextCell({ 0, 2, 1, 3, 99 });      // a point that does not exist
+  polys->InsertNextCell({ 0, -7, 1, 3 });         // the same
+  polys->InsertNextCell({ 0, 6, 2, 6, 0, 5 });    // no area
+  polys->InsertNextCell({ 0, 0, 0, 0 });          // one point
   polys->InsertNextCell({ 0, 1, 3, 2, 0, 1, 3 }); // round twice
   mesh->SetPolys(polys);
   vtkMTPolyDataStream stream(mesh);
