@@ -17,7 +17,8 @@ std::size_t vtkMTArrayScan::GetNumberOfTriangles() const
 
 bool vtkMTArrayScan::Scan(const Block& block)
 {
-  constexpr std::size_t blockSize = 8192;
+  // Nothing is copied, so blocks may be large: threads that share one wait for each other at its end.
+  constexpr std::size_t blockSize = 65536;
   for (std::size_t begin = 0; begin < this->Barycentres.size(); begin += blockSize)
   {
     block(this->Barycentres.data() + begin, std::min(blockSize, this->Barycentres.size() - begin));

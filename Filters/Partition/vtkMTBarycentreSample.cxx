@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTBarycentreSample.h"
 
-bool vtkMTBarycentreSample::IsTaken(std::size_t index, std::size_t stride)
+std::uint64_t vtkMTBarycentreSample::Hash(std::uint64_t number)
 {
-  if (stride == 1)
-  {
-    return true;
-  }
   // The finaliser of SplitMix64.
-  std::uint64_t hash = index / stride + 0x9e3779b97f4a7c15u;
+  std::uint64_t hash = number + 0x9e3779b97f4a7c15u;
   hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
   hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-  hash ^= hash >> 31;
-  return hash % stride == index % stride;
+  return hash ^ (hash >> 31);
 }
 
 bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)

@@ -3,9 +3,9 @@
  * @class vtkMTBarycentreSample
  * @brief an even sample of a mesh's barycentres, and how many there are
  *
- * The scan is cut into runs of `stride` barycentres and one is taken of each, at a place that a hash of the run's number
- * says: no alignment with the rows of a grid, and the same sample every time. Barycentres that are not finite are left
- * out of everything.
+ * The scan is cut into runs of `stride` barycentres and one is taken of each, at a place that a hash of the run's
+ * number says: no alignment with the rows of a grid, and the same sample every time. Barycentres that are not finite
+ * are left out of everything.
  */
 #ifndef vtkMTBarycentreSample_h
 #define vtkMTBarycentreSample_h
@@ -43,7 +43,13 @@ public:
   }
 
   /// Whether the barycentre with this number is the one that its run gives to the sample.
-  static bool IsTaken(std::size_t index, std::size_t stride);
+  static bool IsTaken(std::size_t index, std::size_t stride)
+  {
+    return stride == 1 || Hash(index / stride) % stride == index % stride;
+  }
+
+  /// A number that looks like chance and is always the same for the same number.
+  static std::uint64_t Hash(std::uint64_t number);
 };
 
 #endif

@@ -37,11 +37,11 @@ public:
   static std::size_t CountNotFinite(const std::vector<Point>& barycentres);
 
   /**
-   * The strategy's partition of the barycentres. Progress is told after each scan; as nobody knows how many scans a strategy
-   * will make, it halves what is left each time. Null when progress said stop.
+   * The strategy's partition of the barycentres. Progress is told after each scan; as nobody knows how many scans a
+   * strategy will make, it halves what is left each time. Null when progress said stop.
    */
-  static std::unique_ptr<vtkMTPartition> Build(const vtkMTPartitionStrategy& strategy, const std::vector<Point>& barycentres,
-    double target, int level, const Progress& progress);
+  static std::unique_ptr<vtkMTPartition> Build(const vtkMTPartitionStrategy& strategy,
+    const std::vector<Point>& barycentres, double target, int level, const Progress& progress);
 
   /// The regions of the barycentres, as an array of that name.
   static vtkSmartPointer<vtkIdTypeArray> MakeRegionArray(

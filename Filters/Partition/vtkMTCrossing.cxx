@@ -47,10 +47,8 @@ bool ReadLabels(vtkCellData* data, const std::string& name, vtkIdType cells, Lab
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   labels.resize(values.size());
   std::transform(values.begin(), values.end(), labels.begin(),
-    [&distinct](double value)
-    {
-      return static_cast<std::uint32_t>(
-        std::lower_bound(distinct.begin(), distinct.end(), value) - distinct.begin());
+    [&distinct](double value) {
+      return static_cast<std::uint32_t>(std::lower_bound(distinct.begin(), distinct.end(), value) - distinct.begin());
     });
   return true;
 }
@@ -60,8 +58,7 @@ std::vector<std::size_t> GetOrder(const Labels& first, const Labels& second)
   std::vector<std::size_t> order(first.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
-    [&](std::size_t i, std::size_t j)
-    { return first[i] != first[j] ? first[i] < first[j] : second[i] < second[j]; });
+    [&](std::size_t i, std::size_t j) { return first[i] != first[j] ? first[i] < first[j] : second[i] < second[j]; });
   return order;
 }
 
@@ -116,8 +113,7 @@ std::size_t MergeInAllRegions(const Labels& first, Labels& second, const Points&
   std::size_t merged = 0;
   for (auto begin = order.begin(); begin != order.end();)
   {
-    const auto end =
-      std::find_if(begin, order.end(), [&](std::size_t i) { return first[i] != first[*begin]; });
+    const auto end = std::find_if(begin, order.end(), [&](std::size_t i) { return first[i] != first[*begin]; });
     Labels regions;
     Points places;
     for (auto i = begin; i != end; ++i)
@@ -166,8 +162,8 @@ int vtkMTCrossing::Cross(vtkPolyData* output)
   {
     const double mean = static_cast<double>(cells) / static_cast<double>(this->NumberOfPatches);
     const auto minimum = static_cast<std::size_t>(std::ceil(this->SliverShare * mean));
-    this->NumberOfSlivers = static_cast<vtkIdType>(
-      MergeInAllRegions(first, second, vtkMTCellBarycentres::Make(output), minimum));
+    this->NumberOfSlivers =
+      static_cast<vtkIdType>(MergeInAllRegions(first, second, vtkMTCellBarycentres::Make(output), minimum));
     this->NumberOfPatches = Number(first, second, patches->GetPointer(0));
   }
   if (this->GetAbortExecute())
@@ -180,8 +176,7 @@ int vtkMTCrossing::Cross(vtkPolyData* output)
   return 1;
 }
 
-int vtkMTCrossing::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkMTCrossing::RequestData(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfPatches = 0;

@@ -3,17 +3,18 @@
  * @class vtkMTCrossing
  * @brief numbers the elements of the crossing of two partitions
  *
- * The crossing of two partitions is the set of the non-empty intersections of their regions (Cignoni et al., "Batched Multi
- * Triangulation", 2005, section 4): cells with the same pair (a, b) of regions are one element. In a Multi-Triangulation
- * the elements of the crossing of two successive partitions are the patches.
+ * The crossing of two partitions is the set of the non-empty intersections of their regions (Cignoni et al., "Batched
+ * Multi Triangulation", 2005, section 4): cells with the same pair (a, b) of regions are one element. In a
+ * Multi-Triangulation the elements of the crossing of two successive partitions are the patches.
  *
- * Input: a vtkPolyData with two cell arrays of whole numbers, one component each, as vtkMTPartitionSequence makes them; any labels
- * will do. Output: the input with one more cell array, PatchArrayName, vtkIdType, one component, elements 0 to GetNumberOfPatches() - 1 in the
- * order of (a, b); it becomes the active cell scalars. A missing or unsuitable array is an error. When the filter is aborted the output is
- * empty.
+ * Input: a vtkPolyData with two cell arrays of whole numbers, one component each, as vtkMTPartitionSequence makes them;
+ * any labels will do. Output: the input with one more cell array, PatchArrayName, vtkIdType, one component, elements 0
+ * to GetNumberOfPatches() - 1 in the order of (a, b); it becomes the active cell scalars. A missing or unsuitable array
+ * is an error. When the filter is aborted the output is empty.
  *
- * About a fifth of the elements have less than a tenth of the mean number of cells. With MergeSlivers, these are dissolved into other elements of the same
- * first region (vtkMTSliverMerge); a region of the second partition is then represented by the mean of its cells' barycentres.
+ * About a fifth of the elements have less than a tenth of the mean number of cells. With MergeSlivers, these are
+ * dissolved into other elements of the same first region (vtkMTSliverMerge); a region of the second partition is then
+ * represented by the mean of its cells' barycentres.
  */
 #ifndef vtkMTCrossing_h
 #define vtkMTCrossing_h
@@ -56,7 +57,8 @@ public:
   ///@}
 
   ///@{
-  /// Elements with less than this share of the mean number of cells in an element are small. Default 0.1; clamped to [0, 1].
+  /// Elements with less than this share of the mean number of cells in an element are small. Default 0.1; clamped to
+  /// [0, 1].
   vtkSetClampMacro(SliverShare, double, 0.0, 1.0);
   vtkGetMacro(SliverShare, double);
   ///@}

@@ -4,9 +4,10 @@
  * @brief the order of points along a Hilbert curve
  *
  * Neighbours on the curve are neighbours in space, so a piece of the order with n points is a compact set of n points
- * whatever the density. The curve has 2^21 steps along each axis of a cube around the points (J. Skilling, "Programming the Hilbert
- * curve", 2004); points in the same step keep the order that they came in. The cube is half as large again as the points
- * need and its place depends on the level, so that the curves of different levels are cut in different places.
+ * whatever the density. The curve has 2^21 steps along each axis of a cube around the points (J. Skilling, "Programming
+ * the Hilbert curve", 2004); points in the same step keep the order that they came in. The cube is half as large again
+ * as the points need and its place depends on the level, so that the curves of different levels are cut in different
+ * places.
  */
 #ifndef vtkMTHilbertOrder_h
 #define vtkMTHilbertOrder_h

@@ -18,7 +18,8 @@ class vtkMTLocateBlock
 {
 public:
   template <typename Id>
-  static void Locate(const vtkMTPartition& partition, const std::array<double, 3>* points, std::size_t count, Id* regions)
+  static void Locate(
+    const vtkMTPartition& partition, const std::array<double, 3>* points, std::size_t count, Id* regions)
   {
     const std::int64_t end = static_cast<std::int64_t>(count);
 #pragma omp parallel for schedule(static) if (end > 1024)

@@ -3,9 +3,9 @@
  * @class vtkMTPartition
  * @brief a partition of space into regions: it says in which region a point lies
  *
- * BMT section 4: a triangle goes by its barycentre. Immutable once made; Locate may be called from any number of threads.
- * Coordinates are those of the scan that it was built from (steps of the lattice in the builder, model units in a
- * filter).
+ * BMT section 4: a triangle goes by its barycentre. Immutable once made; Locate may be called from any number of
+ * threads. Coordinates are those of the scan that it was built from (steps of the lattice in the builder, model units
+ * in a filter).
  */
 #ifndef vtkMTPartition_h
 #define vtkMTPartition_h
@@ -32,8 +32,8 @@ public:
 };
 
 /**
- * A sequential scan over the barycentres of a mesh's triangles, repeatable as often as wanted: all that a strategy sees of
- * a mesh, so that meshes larger than memory can be partitioned (BMT section 4.2.2).
+ * A sequential scan over the barycentres of a mesh's triangles, repeatable as often as wanted: all that a strategy sees
+ * of a mesh, so that meshes larger than memory can be partitioned (BMT section 4.2.2).
  */
 class VTKMTPARTITION_EXPORT vtkMTBarycentreScan
 {

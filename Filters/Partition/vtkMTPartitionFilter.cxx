@@ -52,13 +52,13 @@ int vtkMTPartitionFilter::Partition(vtkPolyData* output)
     vtkWarningMacro(<< notFinite << " cells have no finite barycentre; they are in region 0.");
   }
   this->UpdateProgress(0.2);
-  const auto partition = vtkMTCellBarycentres::Build(*this->PartitionStrategy, barycentres, this->TargetTriangles,
-    this->Level,
-    [this](double share)
-    {
-      this->UpdateProgress(0.2 + 0.7 * share);
-      return !this->GetAbortExecute();
-    });
+  const auto partition =
+    vtkMTCellBarycentres::Build(*this->PartitionStrategy, barycentres, this->TargetTriangles, this->Level,
+      [this](double share)
+      {
+        this->UpdateProgress(0.2 + 0.7 * share);
+        return !this->GetAbortExecute();
+      });
   if (!partition)
   {
     output->Initialize(); // nothing but an abort makes a scan over memory fail

@@ -3,13 +3,15 @@
  * @class vtkMTPartitionFilter
  * @brief gives each cell of a vtkPolyData the region of a partition that it lies in
  *
- * One partition of the sequence that a Multi-Triangulation is built from (Cignoni et al., "Batched Multi Triangulation", 2005,
- * section 4), to be looked at or used by itself: for instance to divide a mesh for other programs. A cell goes by its
- * barycentre, the mean of its points; polygons, strips, lines and vertices are cells like triangles.
+ * One partition of the sequence that a Multi-Triangulation is built from (Cignoni et al., "Batched Multi
+ * Triangulation", 2005, section 4), to be looked at or used by itself: for instance to divide a mesh for other
+ * programs. A cell goes by its barycentre, the mean of its points; polygons, strips, lines and vertices are cells like
+ * triangles.
  *
- * Output: the input with one more cell array, RegionArrayName, vtkIdType, one component, regions 0 to GetNumberOfRegions()
- * - 1, none of them empty; it becomes the active cell scalars. Cells without a finite barycentre are in region 0, with a warning. An
- * input without cells gives an empty array. When the filter is aborted the output is empty.
+ * Output: the input with one more cell array, RegionArrayName, vtkIdType, one component; it becomes the active cell
+ * scalars. Regions are numbered from 0 to one less than GetNumberOfRegions(), none of them empty. Cells without a
+ * finite barycentre are in region 0, with a warning. An input without cells gives an empty array. When the filter is
+ * aborted the output is empty.
  */
 #ifndef vtkMTPartitionFilter_h
 #define vtkMTPartitionFilter_h
@@ -36,13 +38,15 @@ public:
   ///@}
 
   ///@{
-  /// The wanted mean number of cells in a region; at most MaximumOverload times as many. Default 1000; clamped to [1, 1e12].
+  /// The wanted mean number of cells in a region; at most MaximumOverload times as many. Default 1000; clamped to [1,
+  /// 1e12].
   vtkSetClampMacro(TargetTriangles, double, 1.0, 1e12);
   vtkGetMacro(TargetTriangles, double);
   ///@}
 
   ///@{
-  /// Which partition of a sequence this is: partitions of successive levels have few borders in common. Default 0; clamped to [0, 1000].
+  /// Which partition of a sequence this is: partitions of successive levels have few borders in common. Default 0;
+  /// clamped to [0, 1000].
   vtkSetClampMacro(Level, int, 0, 1000);
   vtkGetMacro(Level, int);
   ///@}

@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 vtkStandardNewMacro(vtkMTPartitionSequence);
@@ -43,14 +44,16 @@ vtkMTimeType vtkMTPartitionSequence::GetMTime()
   return this->PartitionStrategy ? std::max(own, this->PartitionStrategy->GetMTime()) : own;
 }
 
-int vtkMTPartitionSequence::CountLevels(std::size_t cells) const
+void vtkMTPartitionSequence::AddRegions(
+  const vtkMTPartition& partition, const std::vector<std::array<double, 3>>& barycentres, vtkPolyData* output)
 {
-  int levels = cells > 0 ? 1 : 0;
-  for (double target = this->FirstTarget; target < static_cast<double>(cells); target *= this->Growth)
+  const auto regions = vtkMTCellBarycentres::MakeRegionArray(
+    partition, barycentres, this->RegionArrayPrefix + std::to_string(this->NumberOfLevels));
+  output->GetCellData()->AddArray(regions);
+  if (this->NumberOfLevels++ == 0)
   {
-    ++levels;
+    output->GetCellData()->SetActiveScalars(regions->GetName());
   }
-  return levels;
 }
 
 int vtkMTPartitionSequence::Partition(vtkPolyData* output)
@@ -62,30 +65,30 @@ int vtkMTPartitionSequence::Partition(vtkPolyData* output)
     vtkWarningMacro(<< notFinite << " cells have no finite barycentre; they are in region 0.");
   }
   this->UpdateProgress(0.1);
-  const int levels = this->CountLevels(barycentres.size());
   double target = this->FirstTarget;
-  for (int level = 0; level < levels; ++level, target *= this->Growth)
+  double done = 0.1;
+  for (bool last = barycentres.empty(); !last; target *= this->Growth)
   {
-    const auto partition = vtkMTCellBarycentres::Build(*this->PartitionStrategy, barycentres, target, level,
-      [this, level, levels](double share)
-      {
-        this->UpdateProgress(0.1 + 0.9 * (level + share) / levels);
-        return !this->GetAbortExecute();
-      });
+    // As many levels are left as the target must grow to reach the whole mesh, or one less.
+    const double left = std::log(static_cast<double>(barycentres.size()) / target) / std::log(this->Growth);
+    const double share = (1.0 - done) / (1.0 + std::max(0.0, std::ceil(left)));
+    const auto partition =
+      vtkMTCellBarycentres::Build(*this->PartitionStrategy, barycentres, target, this->NumberOfLevels,
+        [this, done, share](double part)
+        {
+          this->UpdateProgress(done + share * part);
+          return !this->GetAbortExecute();
+        });
     if (!partition)
     {
       output->Initialize(); // nothing but an abort makes a scan over memory fail
+      this->NumberOfLevels = 0;
       return 1;
     }
-    const auto regions = vtkMTCellBarycentres::MakeRegionArray(
-      *partition, barycentres, this->RegionArrayPrefix + std::to_string(level));
-    output->GetCellData()->AddArray(regions);
-    if (level == 0)
-    {
-      output->GetCellData()->SetActiveScalars(regions->GetName());
-    }
+    this->AddRegions(*partition, barycentres, output);
+    last = partition->GetNumberOfRegions() == 1;
+    done += share;
   }
-  this->NumberOfLevels = levels;
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -3,15 +3,16 @@
  * @class vtkMTPartitionSequence
  * @brief gives each cell of a vtkPolyData its regions in a partition sequence, coarser and coarser
  *
- * The partition sequence Psi_0, Psi_1, ..., Psi_n of Cignoni et al., "Batched Multi Triangulation" (2005), section 4, on one mesh:
- * the target of Psi_i is FirstTarget times Growth to the power of i, and Psi_n, the first whose target is at least the number of
- * cells, is one region. (In the construction of a Multi-Triangulation the mesh gets coarser instead, and the target stays.) A cell goes
- * by its barycentre, the mean of its points, whatever kind of cell it is.
+ * The partition sequence Psi_0, Psi_1, ..., Psi_n of Cignoni et al., "Batched Multi Triangulation" (2005), section 4,
+ * on one mesh: the target of Psi_i is FirstTarget times Growth to the power of i, and Psi_n is the first that is one
+ * region, at the latest when the target is at least the number of cells. (In the construction of a Multi-Triangulation
+ * the mesh gets coarser instead, and the target stays.) A cell goes by its barycentre, the mean of its points, whatever
+ * kind of cell it is.
  *
- * Output: the input with one more cell array for each partition, named RegionArrayPrefix and its level ("Region_0", "Region_1",
- * ...), vtkIdType, one component, so that each can be chosen for colouring, and any two of them for vtkMTCrossing; Region_0 becomes
- * the active cell scalars. Cells without a finite barycentre are in region 0 of all partitions, with a warning. An input without
- * cells gives no arrays. When the filter is aborted the output is empty.
+ * Output: the input with one more cell array for each partition, named RegionArrayPrefix and its level (Region_0,
+ * Region_1 and so on), vtkIdType, one component, so that each can be chosen for colouring, and any two of them for
+ * vtkMTCrossing; Region_0 becomes the active cell scalars. Cells without a finite barycentre are in region 0 of all
+ * partitions, with a warning. An input without cells gives no arrays. When the filter is aborted the output is empty.
  */
 #ifndef vtkMTPartitionSequence_h
 #define vtkMTPartitionSequence_h
@@ -20,8 +21,11 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For members
 
+#include <array>  // For helpers
 #include <string> // For members
+#include <vector> // For helpers
 
+class vtkMTPartition;
 class vtkMTPartitionStrategy;
 
 class VTKMTPARTITION_EXPORT vtkMTPartitionSequence : public vtkPolyDataAlgorithm
@@ -71,7 +75,8 @@ private:
   void operator=(const vtkMTPartitionSequence&) = delete;
 
   int Partition(vtkPolyData* output);
-  int CountLevels(std::size_t cells) const;
+  void AddRegions(
+    const vtkMTPartition& partition, const std::vector<std::array<double, 3>>& barycentres, vtkPolyData* output);
 
   vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
   double FirstTarget = 1000.0;

@@ -3,8 +3,9 @@
  * @class vtkMTPartitionStrategy
  * @brief how the regions of a partition are placed
  *
- * Strategies differ in nothing else; crossing, simplification, DAG, file and drawing do not know which one was used (BMT
- * section 4). Results depend on the barycentres, their order, the settings and the level alone: not on threads or time.
+ * Strategies differ in nothing else; crossing, simplification, DAG, file and drawing do not know which one was used
+ * (BMT section 4). Results depend on the barycentres, their order, the settings and the level alone: not on threads or
+ * time.
  */
 #ifndef vtkMTPartitionStrategy_h
 #define vtkMTPartitionStrategy_h
@@ -23,10 +24,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Makes the partition of the given mesh with about `target` triangles in a region (mean; > 0). No region holds more than MaximumOverload
-   * times the target, except where barycentres coincide. A target of at least the number of triangles gives one
-   * region. level says which partition of the sequence this is (0 the finest): strategies that alternate use it, so that
-   * successive partitions do not share borders. Null when the scan failed.
+   * Makes the partition of the given mesh with about `target` triangles in a region (mean; > 0). No region holds more
+   * than MaximumOverload times the target, except where barycentres coincide. A target of at least the number of
+   * triangles gives one region. level says which partition of the sequence this is (0 the finest): strategies that
+   * alternate use it, so that successive partitions do not share borders. Null when the scan failed.
    */
   virtual std::unique_ptr<vtkMTPartition> Build(vtkMTBarycentreScan& scan, double target, int level) const = 0;
 

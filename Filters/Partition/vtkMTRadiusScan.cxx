@@ -41,9 +41,15 @@ double GetExtent(const std::vector<vtkMTRadiusScan::Point>& points)
 }
 }
 
-vtkMTRadiusScan::vtkMTRadiusScan(double radius)
+vtkMTRadiusScan::vtkMTRadiusScan(double radius, int level)
   : Radius(radius)
+  , Salt(vtkMTBarycentreSample::Hash(static_cast<std::uint64_t>(level)))
 {
+}
+
+bool vtkMTRadiusScan::IsPassedOver()
+{
+  return vtkMTBarycentreSample::Hash(this->Salt ^ this->Added++) % 2 != 0;
 }
 
 bool vtkMTRadiusScan::HasSeedWithin(const Point& x, std::uint64_t cube) const
@@ -65,6 +71,10 @@ bool vtkMTRadiusScan::HasSeedWithin(const Point& x, std::uint64_t cube) const
 
 void vtkMTRadiusScan::Add(const Point& x)
 {
+  if (this->IsPassedOver())
+  {
+    return;
+  }
   std::array<double, 3> cube;
   std::array<double, 3> neighbour; // on the side of the cube to which the point is nearer
   for (int axis = 0; axis < 3; ++axis)
@@ -94,9 +104,9 @@ void vtkMTRadiusScan::Add(const Point& x)
   place->second = index;
 }
 
-std::size_t vtkMTRadiusScan::CountSeeds(const std::vector<Point>& sample, double radius, std::size_t enough)
+std::size_t vtkMTRadiusScan::CountSeeds(const std::vector<Point>& sample, double radius, int level, std::size_t enough)
 {
-  vtkMTRadiusScan scan(radius);
+  vtkMTRadiusScan scan(radius, level);
   for (const Point& point : sample)
   {
     scan.Add(point);
@@ -108,7 +118,7 @@ std::size_t vtkMTRadiusScan::CountSeeds(const std::vector<Point>& sample, double
   return scan.Seeds.size();
 }
 
-double vtkMTRadiusScan::FindRadius(const std::vector<Point>& sample, std::size_t wanted)
+double vtkMTRadiusScan::FindRadius(const std::vector<Point>& sample, std::size_t wanted, int level)
 {
   const double extent = GetExtent(sample);
   if (!(extent > 0.0))
@@ -123,7 +133,7 @@ double vtkMTRadiusScan::FindRadius(const std::vector<Point>& sample, std::size_t
   for (int step = 0; step < 40; ++step)
   {
     middle = 0.5 * (low + high);
-    const std::size_t seeds = CountSeeds(sample, std::exp2(middle), wanted + tolerance);
+    const std::size_t seeds = CountSeeds(sample, std::exp2(middle), level, wanted + tolerance);
     if (seeds + tolerance >= wanted && seeds <= wanted + tolerance)
     {
       break;
@@ -134,9 +144,9 @@ double vtkMTRadiusScan::FindRadius(const std::vector<Point>& sample, std::size_t
 }
 
 bool vtkMTRadiusScan::PlaceSeeds(
-  vtkMTBarycentreScan& scan, const std::vector<Point>& sample, std::size_t wanted, std::vector<Point>& seeds)
+  vtkMTBarycentreScan& scan, const std::vector<Point>& sample, std::size_t wanted, int level, std::vector<Point>& seeds)
 {
-  vtkMTRadiusScan placement(FindRadius(sample, wanted));
+  vtkMTRadiusScan placement(FindRadius(sample, wanted, level), level);
   const bool ok = scan.Scan(
     [&placement](const Point* barycentres, std::size_t count)
     {
@@ -149,5 +159,9 @@ bool vtkMTRadiusScan::PlaceSeeds(
       }
     });
   seeds = placement.Seeds;
+  if (seeds.empty() && !sample.empty())
+  {
+    seeds.push_back(sample[0]); // all were passed over
+  }
   return ok;
 }

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTRegularFamily
- * @brief one seed set of the regular partitions: cube, face or edge centres of a grid, and its nearest seed in closed form
+ * @brief one seed set of the regular partitions, with the nearest seed in closed form
  *
- * Families are numbered in the fine-going order of BMT section 4.2.1: cube centres, face centres, edge centres of a grid, then cube
- * centres of the grid of half the cell size, and so on; family 0 has the cubes of cell size 1. Cell sizes are powers of two and
- * the grid passes through the origin of the coordinates, so the families of all meshes and levels fit into one another and the cell
- * of a point is found without rounding.
+ * The seeds are the cube centres, the face centres or the edge centres of a regular grid. Families are numbered in the
+ * fine-going order of BMT section 4.2.1: cube centres, face centres, edge centres of a grid, then cube centres of the
+ * grid of half the cell size, and so on; family 0 has the cubes of cell size 1. Cell sizes are powers of two and the
+ * grid passes through the origin of the coordinates, so the families of all meshes and levels fit into one another and
+ * the cell of a point is found without rounding.
  *
- * With r the place of a point relative to its cube's centre, the nearest face centre is on the axis where |r| is largest
- * (Voronoi regions are octahedra over two cubes), the nearest edge centre is on the edge along the axis where |r| is smallest.
+ * With r the place of a point relative to its cube's centre, the nearest face centre is on the axis where |r| is
+ * largest (Voronoi regions are octahedra over two cubes), the nearest edge centre is on the edge along the axis where
+ * |r| is smallest.
  */
 #ifndef vtkMTRegularFamily_h
 #define vtkMTRegularFamily_h
@@ -70,7 +72,8 @@ public:
 
   static int GetFamilyOf(int exponent, SeedType type) { return -3 * exponent + static_cast<int>(type); }
 
-  /// The largest power of two, as an exponent, that a cell size may have, and the smallest one for coordinates up to `largest`.
+  /// The largest power of two, as an exponent, that a cell size may have, and the smallest one for coordinates up to
+  /// `largest`.
   static constexpr int LargestExponent = 1000;
   static int GetSmallestExponent(double largest);
 

@@ -20,7 +20,8 @@ namespace
 {
 using Points = std::vector<std::array<double, 3>>;
 
-std::size_t CountRegions(const Points& points, int family)
+// Counts no further than `enough`.
+double CountRegions(const Points& points, int family, double enough = std::numeric_limits<double>::infinity())
 {
   const vtkMTRegularFamily seeds(family);
   std::unordered_set<vtkMTRegularFamily::Cell, vtkMTRegularFamily::Hash> cells;
@@ -31,8 +32,12 @@ std::size_t CountRegions(const Points& points, int family)
     {
       cells.insert(cell);
     }
+    if (static_cast<double>(cells.size()) >= enough)
+    {
+      break;
+    }
   }
-  return cells.size();
+  return static_cast<double>(cells.size());
 }
 
 // The coarsest cell size whose face or edge centres give at least the wanted number of regions.
@@ -44,7 +49,7 @@ int FindExponent(const Points& points, vtkMTRegularFamily::SeedType type, double
   {
     const int middle = low + (high - low + 1) / 2;
     const int family = vtkMTRegularFamily::GetFamilyOf(middle, type);
-    if (static_cast<double>(CountRegions(points, family)) >= wanted)
+    if (CountRegions(points, family, wanted) >= wanted)
     {
       low = middle;
     }
@@ -68,7 +73,7 @@ int ChooseFamily(const Points& points, double wanted, int level, int smallest)
   double bestPenalty = std::numeric_limits<double>::infinity();
   for (const int family : candidates)
   {
-    const double regions = static_cast<double>(CountRegions(points, family));
+    const double regions = CountRegions(points, family);
     // Half an octave in favour of faces and edges, which alternate: cubes must not follow upon the same cubes.
     const double penalty = std::abs(std::log2(regions / wanted)) +
       (vtkMTRegularFamily(family).GetType() == vtkMTRegularFamily::Cubes ? 0.5 : 0.0);
@@ -102,8 +107,8 @@ std::unique_ptr<vtkMTPartition> vtkMTRegularPartition::Build(vtkMTBarycentreScan
   const double wanted = static_cast<double>(sample.Count) / target;
   const int family = ChooseFamily(sample.Points, wanted, level, smallest);
   sample.Points = {};
-  auto regions = std::make_unique<vtkMTRegularRegions>(
-    family, vtkMTRegularFamily::GetFamilyOf(smallest, vtkMTRegularFamily::Edges));
+  auto regions =
+    std::make_unique<vtkMTRegularRegions>(family, vtkMTRegularFamily::GetFamilyOf(smallest, vtkMTRegularFamily::Edges));
   if (!regions->Fill(scan, target))
   {
     return nullptr;

@@ -88,8 +88,7 @@ bool vtkMTRegularRegions::Count(vtkMTBarycentreScan& scan)
 
 int vtkMTRegularRegions::GetReplacement(const vtkMTRegularFamily::Cell& cell, const Entry& entry) const
 {
-  const double extent =
-    std::max({ entry.Hi[0] - entry.Lo[0], entry.Hi[1] - entry.Lo[1], entry.Hi[2] - entry.Lo[2] });
+  const double extent = std::max({ entry.Hi[0] - entry.Lo[0], entry.Hi[1] - entry.Lo[1], entry.Hi[2] - entry.Lo[2] });
   const int last = this->FirstFamily + static_cast<int>(this->Families.size()) - 1;
   if (!(extent > 0.0) || cell.Family >= last)
   {

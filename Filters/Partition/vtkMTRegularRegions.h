@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTRegularRegions
- * @brief the partition that vtkMTRegularPartition makes: cells of a family, some of them replaced by cells of finer ones
+ * @brief the partition that vtkMTRegularPartition makes: cells of a family, some replaced by finer ones
  *
- * A point's cell of the first family is looked up; if it has been replaced, its cell of the family that replaces it is looked up, and
- * so on. Cells of a finer family that lie in several replaced cells are one region. Points whose cells hold no barycentre go to
- * the nearest seed.
+ * A point's cell of the first family is looked up; if it has been replaced, its cell of the family that replaces it is
+ * looked up, and so on. Cells of a finer family that lie in several replaced cells are one region. Points whose cells
+ * hold no barycentre go to the nearest seed.
  */
 #ifndef vtkMTRegularRegions_h
 #define vtkMTRegularRegions_h

@@ -84,8 +84,7 @@ bool vtkMTSeedBound::Gather(const vtkMTSeedPartition& partition)
     [&](std::uint32_t region, const Point& x)
     {
       Load& load = this->Loads[region];
-      if (load.Stride > 0 && !Coincide(x, seeds[region]) &&
-        vtkMTBarycentreSample::IsTaken(load.Seen++, load.Stride))
+      if (load.Stride > 0 && !Coincide(x, seeds[region]) && vtkMTBarycentreSample::IsTaken(load.Seen++, load.Stride))
       {
         load.Sample.push_back(x);
       }

@@ -5,9 +5,9 @@
  *
  * A region is overfull when it holds more than MaximumOverload times the target and more than the target besides those
  * barycentres that coincide with its seed: these are of one region whatever is done. An overfull region keeps its seed
- * and gets further ones among its own barycentres: those that do not coincide with the seed are cut along a space-filling curve into chunks
- * of about the target, and the middle of each chunk becomes a seed. A seed that is added never makes another region
- * larger, and takes at least its own barycentre away: so the loop ends.
+ * and gets further ones among its own barycentres: those that do not coincide with the seed are cut along a
+ * space-filling curve into chunks of about the target, and the middle of each chunk becomes a seed. A seed that is
+ * added never makes another region larger, and takes at least its own barycentre away: so the loop ends.
  *
  * All barycentres are counted by scans; only a sample of those in overfull regions is kept.
  */
@@ -30,7 +30,8 @@ public:
 
   vtkMTSeedBound(vtkMTBarycentreScan& scan, double target, int samplesPerRegion, int level);
 
-  /// The partition by the given seeds and those added; regions without barycentres are left out. Null when the scan failed.
+  /// The partition by the given seeds and those added; regions without barycentres are left out. Null when the scan
+  /// failed.
   std::unique_ptr<vtkMTPartition> Hold(std::vector<Point> seeds);
 
 private:
@@ -56,7 +57,7 @@ private:
   double Target;
   int SamplesPerRegion;
   int Level;
-  std::vector<Load> Loads; // per region
+  std::vector<Load> Loads;            // per region
   std::vector<std::uint32_t> Regions; // of a block
 };
 

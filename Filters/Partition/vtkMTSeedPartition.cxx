@@ -108,7 +108,7 @@ void vtkMTSeedPartition::FillLeaf(std::vector<std::uint32_t>& order, std::size_t
 
 void vtkMTSeedPartition::SearchLeaf(const Leaf& leaf, const std::array<double, 3>& x, Best& best)
 {
-  // Two loops: the first has no branches, so that the compiler makes vector instructions of it.
+  // No branches up to the first test, so that the compiler makes vector instructions of it; most leaves end there.
   double distance[LeafSize];
   for (std::size_t i = 0; i < LeafSize; ++i)
   {
@@ -117,11 +117,21 @@ void vtkMTSeedPartition::SearchLeaf(const Leaf& leaf, const std::array<double, 3
     const double dz = leaf.Z[i] - x[2];
     distance[i] = dx * dx + dy * dy + dz * dz;
   }
+  double half[LeafSize / 2];
+  for (std::size_t i = 0; i < LeafSize / 2; ++i)
+  {
+    half[i] = std::min(distance[i], distance[i + LeafSize / 2]);
+  }
+  const double least = std::min(std::min(half[0], half[1]), std::min(half[2], half[3]));
+  if (!(least <= best.Distance))
+  {
+    return;
+  }
   for (std::size_t i = 0; i < LeafSize; ++i)
   {
-    if (distance[i] < best.Distance || (distance[i] == best.Distance && leaf.Region[i] < best.Region))
+    if (distance[i] == least && (least < best.Distance || leaf.Region[i] < best.Region))
     {
-      best = { distance[i], leaf.Region[i] };
+      best = { least, leaf.Region[i] };
     }
   }
 }

@@ -3,10 +3,11 @@
  * @class vtkMTSeedPartition
  * @brief a V-partition: the Voronoi regions of a set of seeds
  *
- * BMT section 4.2: a point lies in the region of the nearest seed. "Nearest" is exact with respect to the squared distance
- * computed in double precision, (dx dx + dy dy) + dz dz; ties go to the smaller index. Seeds are found through a balanced
- * k-d tree with leaves of at most eight seeds. A branch is left out only when its bound, computed by the same sum from
- * the same rounded differences, is above the best distance; rounding is monotone, so nothing nearer, and no tie, is ever lost.
+ * BMT section 4.2: a point lies in the region of the nearest seed. "Nearest" is exact with respect to the squared
+ * distance computed in double precision, (dx dx + dy dy) + dz dz; ties go to the smaller index. Seeds are found through
+ * a balanced k-d tree with leaves of at most eight seeds. A branch is left out only when its bound, computed by the
+ * same sum from the same rounded differences, is above the best distance; rounding is monotone, so nothing nearer, and
+ * no tie, is ever lost.
  *
  * Immutable; Locate takes no memory and may be called from any number of threads. A point that is not finite, or so far
  * away that all squared distances overflow, is in region 0.

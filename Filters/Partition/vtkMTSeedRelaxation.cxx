@@ -106,8 +106,7 @@ std::vector<vtkMTSeedRelaxation::Point> vtkMTSeedRelaxation::Step(
     }
     std::vector<Point> members(groups.GetSize(region));
     std::transform(begin, end, members.begin(), [&points](std::uint32_t i) { return points[i]; });
-    const std::vector<Point> parts =
-      PlaceAlongCurve(members, static_cast<std::size_t>(std::round(share)), this->Level);
+    const std::vector<Point> parts = PlaceAlongCurve(members, static_cast<std::size_t>(std::round(share)), this->Level);
     result.insert(result.end(), parts.begin(), parts.end());
   }
   return result;

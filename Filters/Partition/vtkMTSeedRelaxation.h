@@ -3,8 +3,8 @@
  * @class vtkMTSeedRelaxation
  * @brief seeds along a space-filling curve, and Lloyd's relaxation of seeds
  *
- * Works on a sample of the barycentres, where every region shall have PerRegion of them. Sums are made in the order of the
- * sample, so results do not depend on the threads that look for the nearest seeds.
+ * Works on a sample of the barycentres, where every region shall have PerRegion of them. Sums are made in the order of
+ * the sample, so results do not depend on the threads that look for the nearest seeds.
  */
 #ifndef vtkMTSeedRelaxation_h
 #define vtkMTSeedRelaxation_h
@@ -34,7 +34,8 @@ public:
    */
   static std::vector<Point> PlaceAlongCurve(const std::vector<Point>& points, std::size_t wanted, int level);
 
-  /// One of Lloyd's steps: small regions removed, large ones divided, all other seeds moved to the mean of their region.
+  /// One of Lloyd's steps: small regions removed, large ones divided, all other seeds moved to the mean of their
+  /// region.
   std::vector<Point> Step(const std::vector<Point>& points, std::vector<Point> seeds) const;
 
 private:

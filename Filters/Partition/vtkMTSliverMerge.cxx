@@ -23,8 +23,10 @@ std::vector<std::uint32_t> GetRemaining(const Sizes& sizes, std::size_t minimum)
   if (remaining.empty() && !sizes.empty())
   {
     // max_element gives the first of the largest.
-    remaining.push_back(std::max_element(sizes.begin(), sizes.end(), [](const auto& a, const auto& b)
-      { return a.second < b.second; })->first);
+    remaining.push_back(std::max_element(sizes.begin(), sizes.end(),
+      [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first);
   }
   return remaining;
 }

@@ -19,8 +19,7 @@ vtkMTVoronoiPartition::vtkMTVoronoiPartition() = default;
 
 vtkMTVoronoiPartition::~vtkMTVoronoiPartition() = default;
 
-std::unique_ptr<vtkMTPartition> vtkMTVoronoiPartition::Build(
-  vtkMTBarycentreScan& scan, double target, int level) const
+std::unique_ptr<vtkMTPartition> vtkMTVoronoiPartition::Build(vtkMTBarycentreScan& scan, double target, int level) const
 {
   target = target > 1.0 ? target : 1.0;
   const std::size_t stride = vtkMTBarycentreSample::GetStride(target, this->SamplesPerRegion);
@@ -40,7 +39,7 @@ std::unique_ptr<vtkMTPartition> vtkMTVoronoiPartition::Build(
   {
     seeds = vtkMTSeedRelaxation::PlaceAlongCurve(sample.Points, wanted, level);
   }
-  else if (!vtkMTRadiusScan::PlaceSeeds(scan, sample.Points, wanted, seeds))
+  else if (!vtkMTRadiusScan::PlaceSeeds(scan, sample.Points, wanted, level, seeds))
   {
     return nullptr;
   }

@@ -4,7 +4,7 @@
 #include "vtkMTPartitionStrategy.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <iostream>
 #include <map>
 #include <set>
@@ -48,7 +48,8 @@ Figures Measure(const vtkMTPartition& partition, const Points& barycentres, doub
     }
     figures.Overfull += count > static_cast<double>(coincident) + target ? 1 : 0;
   }
-  figures.Mean = static_cast<double>(barycentres.size()) / (target * static_cast<double>(figures.Regions - figures.Empty));
+  figures.Mean =
+    static_cast<double>(barycentres.size()) / (target * static_cast<double>(figures.Regions - figures.Empty));
   return figures;
 }
 
@@ -100,6 +101,6 @@ Elements MeasureCrossing(const Regions& first, const Regions& second)
 
 double GetSeconds()
 {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 }

@@ -34,7 +34,10 @@ struct Borders
   std::size_t First = 0;  ///< edges between two regions of the first partition
   std::size_t Second = 0; ///< of the second
   std::size_t Both = 0;   ///< of both
-  double GetShare() const { return static_cast<double>(this->Both) / static_cast<double>(this->Second > 0 ? this->Second : 1); }
+  double GetShare() const
+  {
+    return static_cast<double>(this->Both) / static_cast<double>(this->Second > 0 ? this->Second : 1);
+  }
 };
 
 /// Borders of two partitions of a mesh that are the same edges.
@@ -49,7 +52,8 @@ struct Elements
 
 Elements MeasureCrossing(const Regions& first, const Regions& second);
 
-/// Processor-independent seconds since some time ago.
+/// Seconds of processor time that this process has taken, of all its threads: what other processes do has little
+/// influence.
 double GetSeconds();
 }
 

@@ -23,9 +23,11 @@ namespace MTPartitionTest
 {
 namespace
 {
-std::uint32_t GetMiddle(Mesh& mesh, std::map<std::array<std::uint32_t, 2>, std::uint32_t>& middles, std::uint32_t a, std::uint32_t b)
+std::uint32_t GetMiddle(
+  Mesh& mesh, std::map<std::array<std::uint32_t, 2>, std::uint32_t>& middles, std::uint32_t a, std::uint32_t b)
 {
-  const auto place = middles.try_emplace({ std::min(a, b), std::max(a, b) }, static_cast<std::uint32_t>(mesh.Vertices.size()));
+  const auto place =
+    middles.try_emplace({ std::min(a, b), std::max(a, b) }, static_cast<std::uint32_t>(mesh.Vertices.size()));
   if (place.second)
   {
     const Point& p = mesh.Vertices[a];
@@ -257,21 +259,22 @@ std::vector<std::string> GetDataFiles()
   return files;
 }
 
-Mesh ReadMesh(const std::string& path)
+Mesh ReadMesh(const std::string& path, bool weld)
 {
   const vtkSmartPointer<vtkPolyData> data = ReadPolyData(path);
-  std::map<Point, std::uint32_t> welded;
   Mesh mesh;
-  const auto weld = [&](vtkIdType id)
+  mesh.Vertices.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  std::map<Point, std::uint32_t> welded;
+  std::vector<std::uint32_t> place(mesh.Vertices.size());
+  for (std::uint32_t i = 0; i < mesh.Vertices.size(); ++i)
   {
-    Point p;
-    data->GetPoint(id, p.data());
-    const auto place = welded.try_emplace(p, static_cast<std::uint32_t>(mesh.Vertices.size()));
-    if (place.second)
-    {
-      mesh.Vertices.push_back(p);
-    }
-    return place.first->second;
+    data->GetPoint(i, mesh.Vertices[i].data());
+    place[i] = weld ? welded.try_emplace(mesh.Vertices[i], i).first->second : i;
+  }
+  const auto add = [&mesh, &place](vtkIdList* ids, vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    mesh.Triangles.push_back({ place[static_cast<std::size_t>(ids->GetId(a))],
+      place[static_cast<std::size_t>(ids->GetId(b))], place[static_cast<std::size_t>(ids->GetId(c))] });
   };
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetPolys()->GetNumberOfCells(); ++cell)
@@ -279,7 +282,7 @@ Mesh ReadMesh(const std::string& path)
     data->GetPolys()->GetCellAtId(cell, ids);
     for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
     {
-      mesh.Triangles.push_back({ weld(ids->GetId(0)), weld(ids->GetId(i - 1)), weld(ids->GetId(i)) });
+      add(ids, 0, i - 1, i);
     }
   }
   for (vtkIdType cell = 0; cell < data->GetStrips()->GetNumberOfCells(); ++cell)
@@ -287,7 +290,7 @@ Mesh ReadMesh(const std::string& path)
     data->GetStrips()->GetCellAtId(cell, ids);
     for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
     {
-      mesh.Triangles.push_back({ weld(ids->GetId(i - 2)), weld(ids->GetId(i - 1)), weld(ids->GetId(i)) });
+      add(ids, i - 2, i - 1, i);
     }
   }
   return mesh;

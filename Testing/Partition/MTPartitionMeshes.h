@@ -40,11 +40,13 @@ Points MakeCloud(std::size_t count, unsigned seed);
 /// Barycentres on a helix whose spacing shrinks geometrically, over a range of 1e12.
 Points MakeShrinkingHelix(std::size_t count);
 
-/// Files of the data folder that VTK's readers of polydata take, in alphabetical order; none when the folder is not there.
+/// Files of the data folder that VTK's readers of polydata take, in alphabetical order; none when the folder is not
+/// there.
 std::vector<std::string> GetDataFiles();
 
-/// The file's polygons and strips as triangles with welded points; empty when there are none.
-Mesh ReadMesh(const std::string& path);
+/// The file's polygons and strips as triangles, points with equal coordinates welded on request; empty when there are
+/// none.
+Mesh ReadMesh(const std::string& path, bool weld);
 }
 
 #endif

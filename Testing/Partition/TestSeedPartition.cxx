@@ -83,8 +83,7 @@ TEST(SeedPartition, LocateIsNearestSeedAtAllScales)
   {
     for (const double offset : { 0.0, 4e6 * factor, 1e12 * factor })
     {
-      EXPECT_EQ(
-        CountWrong(Scale(MakeCloud(500, 6), factor, offset), Scale(MakeCloud(1000, 7), factor, offset)), 0u)
+      EXPECT_EQ(CountWrong(Scale(MakeCloud(500, 6), factor, offset), Scale(MakeCloud(1000, 7), factor, offset)), 0u)
         << "factor " << factor << ", offset " << offset;
     }
   }
@@ -130,6 +129,6 @@ TEST(SeedPartition, TimeOfLocateIsMeasured)
   }
   const double seconds = GetSeconds() - begin;
   std::cout << "  " << seeds.size() << " seeds, one thread: " << 1e6 * seconds / static_cast<double>(barycentres.size())
-            << " microseconds for each of " << barycentres.size() << " barycentres\n";
+            << " microseconds of processor time for each of " << barycentres.size() << " barycentres\n";
   EXPECT_GT(sum, 0u);
 }

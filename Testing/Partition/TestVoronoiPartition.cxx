@@ -25,7 +25,8 @@ TEST(VoronoiPartition, TimeOfBuildIsMeasured)
       const double seconds = GetSeconds() - begin;
       ASSERT_TRUE(partition);
       std::cout << "  " << strategy->GetSettings() << ", target " << target << ": "
-                << 1e6 * seconds / static_cast<double>(barycentres.size()) << " microseconds per triangle\n";
+                << 1e6 * seconds / static_cast<double>(barycentres.size())
+                << " microseconds of processor time per triangle\n";
       Print("", Measure(*partition, barycentres, target));
     }
   }
