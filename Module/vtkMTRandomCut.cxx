@@ -9,6 +9,9 @@
 
 namespace
 {
+constexpr std::uint32_t WideSpan = 3; // levels
+constexpr int Attempts = 16;
+
 //------------------------------------------------------------------------------
 // SplitMix64 (Steele, Lea and Flood 2014): the standard library's distributions differ between implementations.
 class Random
@@ -84,6 +87,18 @@ void RefineLeaves(const vtkMTGraph& graph, Random& random, vtkMTCut& cut)
 }
 
 //------------------------------------------------------------------------------
+// In a small model all that a leaf depends on may be everything: then single nodes are tried.
+void RefineAcrossLevels(const vtkMTGraph& graph, Random& random, vtkMTCut& cut)
+{
+  RefineLeaves(graph, random, cut);
+  for (int i = 0; i < Attempts && vtkMTRandomCut::GetLevelSpan(graph, cut) < WideSpan; ++i)
+  {
+    cut = vtkMTCut(graph);
+    cut.RefineWithDependencies(random.Below(graph.GetSink()));
+  }
+}
+
+//------------------------------------------------------------------------------
 void RefineAboveThreshold(const vtkMTGraph& graph, Random& random, vtkMTCut& cut)
 {
   std::vector<double> errors;
@@ -117,7 +132,7 @@ vtkMTCut vtkMTRandomCut::Make(const vtkMTGraph& graph, std::uint32_t seed, std::
   }
   if (index % 2 == 0)
   {
-    RefineLeaves(graph, random, cut);
+    RefineAcrossLevels(graph, random, cut);
   }
   else if (index % 4 == 1)
   {

@@ -4,8 +4,8 @@
  * @brief random cuts of a DAG for property tests and verification, the same ones for the same seed on every machine
  *
  * Three kinds take turns. Even indices refine a few random patches of the finest level with all that they depend on, so
- * the cut spans many levels. Odd ones refine every node whose error is above a random threshold, or walk at random by
- * single refinements and coarsenings.
+ * the cut spans many levels (three at least, where a few attempts find such a cut). Odd ones refine every node whose
+ * error is above a random threshold, or walk at random by single refinements and coarsenings.
  */
 #ifndef vtkMTRandomCut_h
 #define vtkMTRandomCut_h

@@ -35,6 +35,7 @@ public:
   void CopyStructure(vtkDataSet* source) override;
   void Initialize() override;
 
+#ifndef __VTK_WRAP__ // Python has no patch source
   ///@{
   /**
    * The patches. SetSource also fills the points and cells with the coarsest cut and its arrays; it returns false, with
@@ -44,6 +45,7 @@ public:
   /// Null when there is none, and from the moment when the points have been replaced.
   std::shared_ptr<const vtkMTPatchSource> GetSource() const;
   ///@}
+#endif
 
   ///@{
   /// Figures of the DAG; 0 when there is no source.
@@ -60,12 +62,14 @@ public:
   static vtkMultiTriangulation* GetData(vtkInformationVector* v, int i = 0);
   ///@}
 
+#ifndef __VTK_WRAP__
   /**
    * The welded mesh of any cut as polydata, with all arrays of the model. Returns false, with the reason in error, when
    * a patch cannot be read.
    */
   static bool CutToPolyData(
     const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);
+#endif
 
 protected:
   vtkMultiTriangulation();
