@@ -11,7 +11,8 @@ using namespace vtkMTVector;
 
 namespace
 {
-// The mean of the triangles' directions and the widest angle to it. A degenerate triangle has no direction and is never seen.
+// The mean of the triangles' directions and the widest angle to it. A degenerate triangle has no direction and is never
+// seen.
 void SetCone(const vtkMTPatch& patch, vtkMTArc& arc)
 {
   std::vector<Vector> normals;

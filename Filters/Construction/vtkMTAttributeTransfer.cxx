@@ -23,7 +23,8 @@ using Hit = vtkMTTriangleTree::Hit;
 Vector ToVector(const vtkMTPoint& k, const vtkMTPoint& origin)
 {
   return { static_cast<double>(k[0]) - static_cast<double>(origin[0]),
-    static_cast<double>(k[1]) - static_cast<double>(origin[1]), static_cast<double>(k[2]) - static_cast<double>(origin[2]) };
+    static_cast<double>(k[1]) - static_cast<double>(origin[1]),
+    static_cast<double>(k[2]) - static_cast<double>(origin[2]) };
 }
 
 Hit FindOnFloor(const vtkMTTriangleTree& tree, const Vector& x, const Vector& direction)
@@ -129,8 +130,7 @@ private:
     const bool isDirection = info.Resampling == vtkMTArrayInfo::Direction;
     switch (info.Type)
     {
-      vtkTemplateMacro(
-        Interpolate<VTK_TT>(from.data(), wedges, hit.Weights, info.Components, isDirection, output));
+      vtkTemplateMacro(Interpolate<VTK_TT>(from.data(), wedges, hit.Weights, info.Components, isDirection, output));
     }
   }
 

@@ -11,11 +11,10 @@ using namespace vtkMTVector;
 
 namespace
 {
-// A convex polygon inside one triangle: clipping a triangle with a few planes leaves few corners; beyond the capacity a piece is
-// halved no further.
+// A convex polygon inside one triangle. A cut adds at most one corner to either part.
 struct Piece
 {
-  static constexpr int Capacity = 12;
+  static constexpr int Capacity = 16;
   std::array<Vector, Capacity> Corners;
   int Count = 0;
   int Depth = 0;
@@ -35,23 +34,24 @@ struct Piece
 
 constexpr int MaximumDepth = 48;
 
-// Splits a convex piece by the plane through `on` with normal `normal` into what lies on the normal's side and the rest. False when the
-// plane leaves it whole (then only one of the two has corners).
-bool Split(const Piece& piece, const Vector& on, const Vector& normal, Piece& inside, Piece& outside)
+// Splits a convex piece by the plane through `on` with normal `normal` into what lies on the normal's side and the
+// rest. False when the plane leaves it whole, but for slivers thinner than `thin` (then only one of the two has
+// corners).
+bool Split(const Piece& piece, const Vector& on, const Vector& normal, double thin, Piece& inside, Piece& outside)
 {
   inside = Piece{ {}, 0, piece.Depth + 1, piece.Triangle };
   outside = inside;
   std::array<double, Piece::Capacity> side;
   bool anyIn = false;
   bool anyOut = false;
-  const double tolerance = 1e-12 * Norm(normal);
+  const double tolerance = thin * Norm(normal);
   for (int i = 0; i < piece.Count; ++i)
   {
     side[i] = Dot(Subtract(piece.Corners[i], on), normal);
     anyIn = anyIn || side[i] > tolerance;
     anyOut = anyOut || side[i] < -tolerance;
   }
-  if (!anyIn || !anyOut || piece.Count + 2 > Piece::Capacity)
+  if (!anyIn || !anyOut || piece.Count + 1 > Piece::Capacity)
   {
     (anyOut ? outside : inside) = piece;
     return false;
@@ -78,7 +78,7 @@ bool Split(const Piece& piece, const Vector& on, const Vector& normal, Piece& in
 }
 
 // Across its longest side or diagonal.
-bool Halve(const Piece& piece, Piece& one, Piece& other)
+bool Halve(const Piece& piece, double thin, Piece& one, Piece& other)
 {
   double longest = 0.0;
   int from = 0;
@@ -97,7 +97,7 @@ bool Halve(const Piece& piece, Piece& one, Piece& other)
     }
   }
   const Vector direction = Subtract(piece.Corners[to], piece.Corners[from]);
-  return longest > 0.0 && Split(piece, Lerp(piece.Corners[from], piece.Corners[to], 0.5), direction, one, other);
+  return longest > 0.0 && Split(piece, Lerp(piece.Corners[from], piece.Corners[to], 0.5), direction, thin, one, other);
 }
 
 using Integer = __int128;
@@ -113,7 +113,8 @@ bool IsCoplanar(const vtkMTTriangleTree& treeOfT, std::uint32_t t, const vtkMTTr
   const Vector& origin = treeOfS.GetCorner(s, 0);
   const auto u = difference(treeOfS.GetCorner(s, 1), origin);
   const auto v = difference(treeOfS.GetCorner(s, 2), origin);
-  const std::array<Integer, 3> normal{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+  const std::array<Integer, 3> normal{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+    u[0] * v[1] - u[1] * v[0] };
   for (int c = 0; c < 3; ++c)
   {
     const auto w = difference(treeOfT.GetCorner(t, c), origin);
@@ -137,26 +138,28 @@ public:
   {
   }
 
-  // The true distances of all points: the lower bound to start with, and candidates for the triangles' bounds.
-  void VisitPoints(const vtkMTPatch& mesh, const vtkMTPoint& origin)
+  // A triangle of the other mesh for every point, and the lower bound to start with. Points are met triangle by
+  // triangle, so that a neighbour's triangle is a good guess; where it is near enough nothing is to be learned from a
+  // query.
+  void VisitPoints(const vtkMTPatch& mesh)
   {
-    std::vector<unsigned char> used(mesh.Points.size(), 0);
-    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+    this->NearestToPoint.assign(mesh.Points.size(), vtkMTTriangleTree::None);
+    std::uint32_t guess = vtkMTTriangleTree::None;
+    for (std::uint32_t t = 0; t < mesh.Triangles.size(); ++t)
     {
-      for (std::uint32_t p : mesh.GetPointsOfTriangle(t))
+      const vtkMTTriangle points = mesh.GetPointsOfTriangle(t);
+      for (std::uint32_t p : points)
       {
-        used[p] = 1;
+        guess = this->NearestToPoint[p] != vtkMTTriangleTree::None ? this->NearestToPoint[p] : guess;
       }
-    }
-    this->NearestToPoint.assign(mesh.Points.size(), vtkMTTriangleTree::Hit::None);
-    for (std::size_t p = 0; p < mesh.Points.size(); ++p)
-    {
-      if (used[p])
+      for (int c = 0; c < 3; ++c)
       {
-        const vtkMTPoint& k = mesh.Points[p];
-        this->NearestToPoint[p] = this->Visit({ static_cast<double>(k[0]) - static_cast<double>(origin[0]),
-          static_cast<double>(k[1]) - static_cast<double>(origin[1]),
-          static_cast<double>(k[2]) - static_cast<double>(origin[2]) });
+        std::uint32_t& nearest = this->NearestToPoint[points[c]];
+        if (nearest == vtkMTTriangleTree::None)
+        {
+          nearest = this->Visit(this->From.GetCorner(t, c), guess);
+          guess = nearest;
+        }
       }
     }
   }
@@ -171,42 +174,78 @@ public:
       {
         piece.Append(this->From.GetCorner(t, c));
       }
-      double bound = std::numeric_limits<double>::infinity();
-      for (std::uint32_t p : mesh.GetPointsOfTriangle(t))
+      const vtkMTTriangle points = mesh.GetPointsOfTriangle(t);
+      Entry best{ piece, std::numeric_limits<double>::infinity(), this->NearestToPoint[points[0]], false };
+      for (int c = 0; c < 3; ++c)
       {
-        bound = std::min(bound, this->GetBound(piece, this->NearestToPoint[p]));
+        const std::uint32_t s = this->NearestToPoint[points[c]];
+        const double bound = this->GetBound(piece, s, best.Bound);
+        if (bound < best.Bound)
+        {
+          best.Bound = bound;
+          best.Guess = s;
+        }
+        if (this->Accept(best.Bound))
+        {
+          break;
+        }
       }
-      if (!this->Accept(bound))
+      if (!this->IsNearEnough(best.Bound))
       {
-        this->BoundPieces(piece, bound, budget);
+        this->BoundPieces(best, budget);
       }
     }
   }
 
 private:
-  // Raises the lower bound by the true distance at x; gives the nearest triangle.
-  std::uint32_t Visit(const Vector& x)
+  struct Entry
   {
-    const vtkMTTriangleTree::Hit hit = this->To.FindNearest(x);
+    Piece Shape;
+    double Bound;        // by some triangle; a part is within its whole's bound
+    std::uint32_t Guess; // a triangle of the other mesh that may lie below
+    bool IsNearest;      // the guess is the triangle nearest to the piece's middle
+  };
+
+  // Raises the lower bound by the true distance at x; gives a triangle that is nearest, or near enough.
+  std::uint32_t Visit(const Vector& x, std::uint32_t guess)
+  {
+    const double enough = this->Result.LowerBound;
+    if (guess != vtkMTTriangleTree::None && this->To.GetDistance2(x, guess, enough * enough) < enough * enough)
+    {
+      return guess;
+    }
+    return this->FindNearest(x, guess);
+  }
+
+  std::uint32_t FindNearest(const Vector& x, std::uint32_t guess)
+  {
+    const vtkMTTriangleTree::Hit hit = this->To.FindNearest(x, guess);
     // What rounding may have added must not raise the lower bound.
     this->Result.LowerBound = std::max(this->Result.LowerBound, std::sqrt(hit.Distance2) - this->Slack);
     return hit.Triangle;
   }
 
-  double GetBound(const Piece& piece, std::uint32_t s) const
+  // The largest corner distance to one triangle; infinity when it is not below the limit.
+  double GetBound(const Piece& piece, std::uint32_t s, double limit) const
   {
     double distance2 = 0.0;
-    for (int i = 0; i < piece.Count; ++i)
+    for (int i = 0; i < piece.Count && distance2 < limit * limit; ++i)
     {
-      distance2 = std::max(distance2, this->To.Project(piece.Corners[i], s).Distance2);
+      distance2 = std::max(distance2, this->To.GetDistance2(piece.Corners[i], s, limit * limit));
     }
     const double distance = std::sqrt(distance2);
-    return distance <= this->Slack && IsCoplanar(this->From, piece.Triangle, this->To, s) ? 0.0 : distance + this->Slack;
+    return distance <= this->Slack && IsCoplanar(this->From, piece.Triangle, this->To, s) ? 0.0
+                                                                                          : distance + this->Slack;
+  }
+
+  bool IsNearEnough(double bound) const
+  {
+    return bound <= std::max(vtkMTDeviation::Looseness * this->Result.LowerBound, 2.0 * this->Slack);
   }
 
   bool Accept(double bound)
   {
-    if (bound > std::max(vtkMTDeviation::Looseness * this->Result.LowerBound, 2.0 * this->Slack))
+    if (!this->IsNearEnough(bound))
     {
       return false;
     }
@@ -214,10 +253,9 @@ private:
     return true;
   }
 
-  void BoundPieces(const Piece& whole, double wholeBound, std::size_t& budget)
+  void BoundPieces(const Entry& whole, std::size_t& budget)
   {
-    this->Stack.clear();
-    this->Stack.push_back({ whole, wholeBound });
+    this->Stack.assign(1, whole);
     while (!this->Stack.empty())
     {
       const Entry entry = this->Stack.back();
@@ -230,71 +268,89 @@ private:
       }
       --budget;
       ++this->Result.Pieces;
-      this->BoundPiece(entry.Shape, entry.Bound);
+      this->BoundPiece(entry);
     }
   }
 
-  void BoundPiece(const Piece& piece, double knownBound)
+  void BoundPiece(Entry entry)
   {
-    const std::uint32_t s = this->Visit(piece.GetMiddle());
-    const double bound = std::min(knownBound, this->GetBound(piece, s));
-    if (this->Accept(bound))
+    if (entry.Guess == vtkMTTriangleTree::None)
+    {
+      entry.Guess = this->FindNearest(entry.Shape.GetMiddle(), entry.Guess);
+      entry.IsNearest = true;
+    }
+    entry.Bound = std::min(entry.Bound, this->GetBound(entry.Shape, entry.Guess, entry.Bound));
+    if (this->Accept(entry.Bound) || this->CutAlong(entry))
     {
       return;
     }
-    Piece rest = piece;
-    bool cut = false;
-    const Vector& normal = this->To.GetNormal(s);
-    for (int e = 0; e < 3 && Dot(normal, normal) > 0.0; ++e)
+    if (!entry.IsNearest)
     {
-      const Vector& a = this->To.GetCorner(s, e);
-      const Vector inward = Cross(normal, Subtract(this->To.GetCorner(s, (e + 1) % 3), a));
+      entry.Guess = this->FindNearest(entry.Shape.GetMiddle(), entry.Guess);
+      entry.IsNearest = true;
+      this->Stack.push_back(entry);
+      return;
+    }
+    this->CutInHalves(entry);
+  }
+
+  // Cuts the piece along the edges of the guessed triangle, seen along its normal. What lies outside an edge belongs to
+  // the triangle behind that edge, as a guess. False when the piece is not partly over the triangle, or has too many
+  // corners.
+  bool CutAlong(const Entry& entry)
+  {
+    const Vector& normal = this->To.GetNormal(entry.Guess);
+    if (!(Dot(normal, normal) > 0.0) || entry.Shape.Count + 3 > Piece::Capacity)
+    {
+      return false;
+    }
+    const std::size_t before = this->Stack.size();
+    Piece rest = entry.Shape;
+    for (int e = 0; e < 3; ++e)
+    {
+      const Vector& a = this->To.GetCorner(entry.Guess, e);
+      const Vector inward = Cross(normal, Subtract(this->To.GetCorner(entry.Guess, (e + 1) % 3), a));
       Piece inside;
       Piece outside;
-      if (Split(rest, a, inward, inside, outside))
+      if (Split(rest, a, inward, this->Slack, inside, outside))
       {
-        cut = true;
-        this->Push(outside, bound);
+        this->Stack.push_back({ outside, entry.Bound, this->To.GetNeighbor(entry.Guess, e), false });
         rest = inside;
       }
+      else if (inside.Count == 0)
+      {
+        this->Stack.resize(before); // nothing of it is over the triangle
+        return false;
+      }
     }
-    if (cut)
+    if (this->Stack.size() == before)
     {
-      this->Push(rest, bound);
-      return;
+      return false; // all of it is
     }
-    this->PushHalves(piece, bound);
+    this->Stack.push_back({ rest, entry.Bound, entry.Guess, false });
+    return true;
   }
 
-  void PushHalves(const Piece& piece, double bound)
+  void CutInHalves(const Entry& entry)
   {
-    for (int i = 0; i < piece.Count; ++i)
+    for (int i = 0; i < entry.Shape.Count; ++i)
     {
-      this->Visit(piece.Corners[i]);
+      this->FindNearest(entry.Shape.Corners[i], entry.Guess);
     }
     Piece one;
     Piece other;
-    if (this->Accept(bound))
+    if (this->Accept(entry.Bound))
     {
       return;
     }
-    if (Halve(piece, one, other))
+    if (Halve(entry.Shape, this->Slack, one, other))
     {
-      this->Push(one, bound);
-      this->Push(other, bound);
+      this->Stack.push_back({ one, entry.Bound, entry.Guess, false });
+      this->Stack.push_back({ other, entry.Bound, entry.Guess, false });
       return;
     }
-    this->Result.UpperBound = std::max(this->Result.UpperBound, bound); // too small to be cut
+    this->Result.UpperBound = std::max(this->Result.UpperBound, entry.Bound); // too small to be cut
   }
-
-  // A part is within its whole's bound.
-  void Push(const Piece& part, double bound) { this->Stack.push_back({ part, bound }); }
-
-  struct Entry
-  {
-    Piece Shape;
-    double Bound;
-  };
 
   const vtkMTTriangleTree& From;
   const vtkMTTriangleTree& To;
@@ -324,8 +380,8 @@ vtkMTDeviation vtkMTDeviation::Between(const vtkMTPatch& a, const vtkMTTriangleT
   const double slack = std::ldexp(std::max(GetExtent(a, origin), GetExtent(b, origin)), -40);
   OneSided forward(treeOfA, treeOfB, result, slack);
   OneSided backward(treeOfB, treeOfA, result, slack);
-  forward.VisitPoints(a, origin);
-  backward.VisitPoints(b, origin);
+  forward.VisitPoints(a);
+  backward.VisitPoints(b);
   std::size_t budget = PiecesPerTriangle * (a.Triangles.size() + b.Triangles.size());
   forward.BoundTriangles(a, budget);
   backward.BoundTriangles(b, budget);

@@ -391,8 +391,7 @@ bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, int latticeBits, bool mak
   this->Arrays.push_back(MakeCellIdInfo());
 
   const vtkMTStitch stitch = vtkMTStitch::Run(input.Points, input.Triangles);
-  const std::vector<std::uint32_t> representatives =
-    WedgeMaker(input, stitch.Root, pointTupleSizes).Run(this->Mesh);
+  const std::vector<std::uint32_t> representatives = WedgeMaker(input, stitch.Root, pointTupleSizes).Run(this->Mesh);
   this->Mesh.CellColumns = std::move(input.CellColumns);
   Snap(input.Points, representatives, latticeBits, *this);
   if (makeNormals && !hasNormals)

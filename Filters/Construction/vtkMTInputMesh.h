@@ -3,10 +3,11 @@
  * @class vtkMTInputMesh
  * @brief the builder's input, whole in memory: checked, snapped to the lattice, stitched, with wedges
  *
- * Triangles that cannot be part of a surface are dropped and counted: with an index out of range ("dropped_index_out_of_range"),
- * a coordinate that is not finite ("dropped_not_finite") or two corners at one place ("dropped_degenerate"). Every other triangle
- * is kept, whatever its shape or its neighbours. Points that no kept triangle uses are left out ("isolated_points"). Points that are
- * stitched (vtkMTStitch) become one point with one wedge per different set of attribute values.
+ * Triangles that cannot be part of a surface are dropped and counted: with an index out of range
+ * ("dropped_index_out_of_range"), a coordinate that is not finite ("dropped_not_finite") or two corners at one place
+ * ("dropped_degenerate"). Every other triangle is kept, whatever its shape or its neighbours. Points that no kept
+ * triangle uses are left out ("isolated_points"). Points that are stitched (vtkMTStitch) become one point with one
+ * wedge per different set of attribute values.
  */
 #ifndef vtkMTInputMesh_h
 #define vtkMTInputMesh_h
@@ -24,7 +25,7 @@ class vtkMTTriangleStream;
 struct VTKMTCONSTRUCTION_EXPORT vtkMTInputMesh
 {
   vtkMTLattice Lattice;
-  vtkMTPatch Mesh; ///< without ids: a point's identity is its index
+  vtkMTPatch Mesh;                    ///< without ids: a point's identity is its index
   std::vector<vtkMTArrayInfo> Arrays; ///< the stream's, then the input cell ids, then the made normals, if any
   std::uint64_t InputTriangles = 0;
   std::map<std::string, std::int64_t> Report;

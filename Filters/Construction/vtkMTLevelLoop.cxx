@@ -32,8 +32,7 @@ std::vector<Barycentre> GetBarycentres(const vtkMTPatch& mesh)
     for (int i = 0; i < 3; ++i)
     {
       // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
-      const std::int64_t sum =
-        std::int64_t(mesh.Points[p[0]][i]) + mesh.Points[p[1]][i] + mesh.Points[p[2]][i];
+      const std::int64_t sum = std::int64_t(mesh.Points[p[0]][i]) + mesh.Points[p[1]][i] + mesh.Points[p[2]][i];
       result[t][i] = static_cast<double>(sum) / 3.0;
     }
   }
@@ -205,8 +204,8 @@ private:
     this->LevelScan.Fragments.resize(triangles.size());
     for (std::size_t r = 0; r < triangles.size(); ++r)
     {
-      vtkMTPatch fragment = vtkMTPatchSplitter::Extract(
-        mesh, triangles[r], isShared, ids, pointTupleSizes, cellTupleSizes, scratch);
+      vtkMTPatch fragment =
+        vtkMTPatchSplitter::Extract(mesh, triangles[r], isShared, ids, pointTupleSizes, cellTupleSizes, scratch);
       this->LevelScan.Fragments[r] = GetBarycentres(fragment);
       if (!this->FragmentSpool.Put(r, std::move(fragment)))
       {
@@ -218,7 +217,8 @@ private:
     return true;
   }
 
-  std::vector<std::uint32_t> LocateAll(const vtkMTPartition& partition, const std::vector<Barycentre>& barycentres) const
+  std::vector<std::uint32_t> LocateAll(
+    const vtkMTPartition& partition, const std::vector<Barycentre>& barycentres) const
   {
     std::vector<std::uint32_t> region(barycentres.size());
     const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(region.size());
@@ -286,7 +286,8 @@ private:
   // Every level halves, so all levels together have about twice the input's triangles.
   double GetProgress() const
   {
-    return std::min(1.0, static_cast<double>(this->SimplifiedTriangles) / (2.0 * static_cast<double>(this->InputTriangles)));
+    return std::min(
+      1.0, static_cast<double>(this->SimplifiedTriangles) / (2.0 * static_cast<double>(this->InputTriangles)));
   }
 
   bool SplitFragments(std::uint32_t level)
@@ -340,8 +341,8 @@ private:
     split = vtkMTPatchSplitter::Split(meshes[0], regions, level, static_cast<std::uint32_t>(fragment));
   }
 
-  bool PutPieces(std::uint32_t toNode, vtkMTPatchSplitter& split,
-    std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses)
+  bool PutPieces(
+    std::uint32_t toNode, vtkMTPatchSplitter& split, std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses)
   {
     uses.insert(uses.end(), split.Uses.begin(), split.Uses.end());
     this->LockedIds.insert(this->LockedIds.end(), split.LockedIds.begin(), split.LockedIds.end());
@@ -394,7 +395,8 @@ private:
 
   bool SimplifyRegions(std::uint32_t level)
   {
-    const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->Graph.Arrays, &this->LockedIds, level - 1 };
+    const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->Graph.Arrays, &this->LockedIds,
+      level - 1 };
     std::vector<vtkMTRegionStep> steps(4 * static_cast<std::size_t>(this->Threads));
     this->LevelScan.Fragments.assign(this->NextRegions, {});
     this->NodeOfFragment.assign(this->NextRegions, None);

@@ -26,7 +26,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchSplitter
   };
   std::vector<Piece> Pieces;            ///< sorted by region
   std::vector<std::uint64_t> LockedIds; ///< of new shared points that triangles of several next regions use
-  /// For every point that other fragments share and every next region whose triangles use it here: its id and that region.
+  /// For every point that other fragments share and every next region whose triangles use it here: its id and that
+  /// region.
   std::vector<std::pair<std::uint64_t, std::uint32_t>> Uses;
 
   /// regions: per triangle of the fragment.
@@ -46,9 +47,9 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchSplitter
   ///@}
 
   /**
-   * The part of a mesh that the given triangles (in increasing order) make. Points and wedges keep their order, except that points with
-   * isShared[point] come first; ids[point] is taken for those. scratch must hold as many entries of None as mesh has wedges and points together;
-   * it is left so.
+   * The part of a mesh that the given triangles (in increasing order) make. Points and wedges keep their order, except
+   * that points with isShared[point] come first; ids[point] is taken for those. scratch must hold as many entries of
+   * None as mesh has wedges and points together; it is left so.
    */
   static vtkMTPatch Extract(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& triangles,
     const std::vector<unsigned char>& isShared, const std::vector<std::uint64_t>& ids,

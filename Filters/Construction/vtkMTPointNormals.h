@@ -4,8 +4,8 @@
  * @brief smooth normals of a mesh, one per point
  *
  * The sum of the normals of the triangles around a point, weighted by their angle there (Thuermer and Wuethrich,
- * "Computing vertex normals from polygonal facets", 1998), so that the triangulation of a flat part has no influence. A point with degenerate
- * triangles only gets the normal (0, 0, 1). The order of summation is that of the triangles.
+ * "Computing vertex normals from polygonal facets", 1998), so that the triangulation of a flat part has no influence. A
+ * point with degenerate triangles only gets the normal (0, 0, 1). The order of summation is that of the triangles.
  */
 #ifndef vtkMTPointNormals_h
 #define vtkMTPointNormals_h

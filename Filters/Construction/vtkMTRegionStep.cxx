@@ -20,41 +20,50 @@ bool IsLocked(const std::vector<std::uint64_t>& lockedIds, std::uint64_t id)
   return id != vtkMTAssembler::NoId && std::binary_search(lockedIds.begin(), lockedIds.end(), id);
 }
 
-// Whether the patch has an edge that was on the border of its finer region and is on the border of the coarser one again: such edges
-// stay as they are for two levels.
-bool SharesBorder(const vtkMTPatch& patch, const std::vector<std::uint64_t>& lockedIds, std::uint32_t floorLevel)
+// BMT section 3.2, condition 3: whether every edge of the region's border was on the border of a finer region already,
+// so that nothing of the border could be simplified for two levels. An edge is on the border when one triangle of the
+// floor uses it and triangles outside use both of its ends; it was on a finer one when both ends were shared before the
+// floor's level was split.
+bool HasBorderOfFinerRegions(
+  const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::uint32_t floorLevel)
 {
-  std::vector<unsigned char> isOnBoth(patch.Points.size(), 0);
-  for (std::size_t p = 0; p < patch.Ids.size(); ++p)
+  struct Edge
   {
-    isOnBoth[p] =
-      !vtkMTPatchSplitter::WasMadeOnLevel(patch.Ids[p], floorLevel) && IsLocked(lockedIds, patch.Ids[p]) ? 1 : 0;
-  }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (std::size_t t = 0; t < patch.Triangles.size(); ++t)
+    std::uint32_t Low;
+    std::uint32_t High;
+    bool operator<(const Edge& other) const { return Low != other.Low ? Low < other.Low : High < other.High; }
+  };
+  std::vector<Edge> edges;
+  for (std::size_t t = 0; t < floor.Triangles.size(); ++t)
   {
-    const vtkMTTriangle p = patch.GetPointsOfTriangle(t);
+    const vtkMTTriangle p = floor.GetPointsOfTriangle(t);
     for (int c = 0; c < 3; ++c)
     {
       const std::uint32_t a = p[c];
       const std::uint32_t b = p[(c + 1) % 3];
-      if (isOnBoth[a] && isOnBoth[b])
+      if (locked[a] && locked[b])
       {
-        edges.emplace_back(std::min(a, b), std::max(a, b));
+        edges.push_back({ std::min(a, b), std::max(a, b) });
       }
     }
   }
   std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size();)
+  const auto isOld = [&](std::uint32_t p) { return !vtkMTPatchSplitter::WasMadeOnLevel(floor.Ids[p], floorLevel); };
+  bool hasBorder = false;
+  for (auto edge = edges.begin(); edge != edges.end();)
   {
-    const std::size_t end = std::upper_bound(edges.begin(), edges.end(), edges[i]) - edges.begin();
-    if (end - i == 1)
+    const auto end = std::upper_bound(edge, edges.end(), *edge);
+    if (end - edge == 1)
     {
-      return true;
+      hasBorder = true;
+      if (!isOld(edge->Low) || !isOld(edge->High))
+      {
+        return false;
+      }
     }
-    i = end;
+    edge = end;
   }
-  return false;
+  return hasBorder;
 }
 
 // The simplified mesh with locked points first, in the floor's order: only these are shared, and only they have ids.
@@ -129,11 +138,8 @@ vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
 bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& context, std::string& error)
 {
   vtkMTAssembler assembler(*context.Arrays);
-  this->HasFullySharedBorder = !floorPatches.empty();
   for (vtkMTPatch& patch : floorPatches)
   {
-    this->HasFullySharedBorder =
-      this->HasFullySharedBorder && SharesBorder(patch, *context.LockedIds, context.FloorLevel);
     if (!assembler.Add(patch))
     {
       error = assembler.GetError();
@@ -148,6 +154,7 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
   {
     locked[p] = IsLocked(*context.LockedIds, floor.Ids[p]) ? 1 : 0;
   }
+  this->HasFullySharedBorder = HasBorderOfFinerRegions(floor, locked, context.FloorLevel);
   vtkMTSimplification simplification;
   const std::size_t target = std::max<std::size_t>(1, floor.Triangles.size() / 2);
   if (!context.Simplifier->Simplify(floor, locked, target, simplification, error))

@@ -23,9 +23,9 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 {
   vtkMTPatch Fragment; ///< points that are shared with other regions come first, with their ids
   std::size_t FloorTriangles = 0;
-  double StepError = 0.0;  ///< certified, in steps of the lattice
-  double EdgeLength = 0.0; ///< mean, in steps
-  bool HasFullySharedBorder = false; ///< BMT section 3.2, condition 3, is violated here
+  double StepError = 0.0;                      ///< certified, in steps of the lattice
+  double EdgeLength = 0.0;                     ///< mean, in steps
+  bool HasFullySharedBorder = false;           ///< BMT section 3.2, condition 3, is violated here
   std::map<std::string, std::int64_t> Blocked; ///< filled when the target was missed
 
   struct Context

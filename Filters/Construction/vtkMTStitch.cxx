@@ -15,7 +15,8 @@ struct DirectedEdge
   std::uint32_t To;
 };
 
-// The edges that one triangle alone uses. Edges are sorted into one bucket per smaller end, as 64-bit keys: larger end and direction.
+// The edges that one triangle alone uses. Edges are sorted into one bucket per smaller end, as 64-bit keys: larger end
+// and direction.
 std::vector<DirectedEdge> FindBorderEdges(std::size_t numberOfPoints, const Triangles& triangles)
 {
   std::vector<std::size_t> first(numberOfPoints + 1, 0);

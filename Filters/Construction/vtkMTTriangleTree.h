@@ -4,8 +4,10 @@
  * @brief nearest-triangle queries on one region's mesh
  *
  * A bounding volume hierarchy with median splits along the longest side of the centroids' box, four triangles a leaf.
- * Coordinates are lattice steps relative to a common origin, so differences of corners are exact in double precision.
- * Ties go to the triangle that the traversal meets first, which depends on the mesh alone.
+ * Coordinates are lattice steps relative to a common origin, so differences of corners are exact in double precision;
+ * normals are computed in exact integers before they are scaled to unit length. A query may be given a triangle to
+ * begin with: a good guess spares most of the traversal. Ties go to that triangle, else to the one that the traversal
+ * meets first.
  *
  * Threads: queries are const and may run at once.
  */
@@ -34,24 +36,44 @@ public:
     Vector Weights{ 1.0, 0.0, 0.0 }; ///< its barycentric coordinates
   };
 
+  static constexpr std::uint32_t None = Hit::None;
+
   /// origin, in steps, is subtracted from all points, and from those that queries ask for.
   vtkMTTriangleTree(const vtkMTPatch& mesh, const vtkMTPoint& origin);
 
-  /// The triangle nearest to x (relative to the origin).
-  Hit FindNearest(const Vector& x) const { return this->Find(x, nullptr); }
+  /// The triangle nearest to x (relative to the origin); guess is a triangle to begin with, or None.
+  Hit FindNearest(const Vector& x, std::uint32_t guess = None) const { return this->Find(x, nullptr, guess); }
 
-  /// The nearest triangle among those whose normal has a positive dot product with the direction; None when there is none.
-  Hit FindNearestFacing(const Vector& x, const Vector& direction) const { return this->Find(x, &direction); }
+  /// The nearest triangle among those whose normal has a positive dot product with the direction; None when there is
+  /// none.
+  Hit FindNearestFacing(const Vector& x, const Vector& direction, std::uint32_t guess = None) const
+  {
+    return this->Find(x, &direction, guess);
+  }
 
   /// Distance from x to one triangle, and where.
   Hit Project(const Vector& x, std::uint32_t triangle) const;
 
-  const Vector& GetCorner(std::uint32_t triangle, int corner) const { return this->Corners[triangle][corner]; }
-  /// Not scaled to unit length: twice the area; zero for a degenerate triangle.
-  const Vector& GetNormal(std::uint32_t triangle) const { return this->Normals[triangle]; }
-  std::size_t GetNumberOfTriangles() const { return this->Corners.size(); }
+  /// The squared distance alone; infinity, found early, when it is at least limit.
+  double GetDistance2(const Vector& x, std::uint32_t triangle, double limit) const;
+
+  const Vector& GetCorner(std::uint32_t triangle, int corner) const
+  {
+    return this->Triangles[triangle].Corners[corner];
+  }
+  /// Unit length; zero for a degenerate triangle.
+  const Vector& GetNormal(std::uint32_t triangle) const { return this->Triangles[triangle].Normal; }
+  /// The other triangle at the edge from corner `edge` to the next; None at borders and where more than two triangles
+  /// meet.
+  std::uint32_t GetNeighbor(std::uint32_t triangle, int edge) const { return this->Neighbors[3 * triangle + edge]; }
+  std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
 
 private:
+  struct Triangle
+  {
+    std::array<Vector, 3> Corners;
+    Vector Normal;
+  };
   struct Node
   {
     std::array<double, 6> Box;
@@ -59,11 +81,11 @@ private:
     std::uint32_t Count; // leaf: triangles; inner: 0
   };
   void Build(std::uint32_t begin, std::uint32_t end, const std::vector<Vector>& centroids);
-  Hit Find(const Vector& x, const Vector* direction) const;
-  void FindInLeaf(const Node& leaf, const Vector& x, const Vector* direction, Hit& best) const;
+  void FindNeighbors(const vtkMTPatch& mesh);
+  Hit Find(const Vector& x, const Vector* direction, std::uint32_t guess) const;
 
-  std::vector<std::array<Vector, 3>> Corners;
-  std::vector<Vector> Normals;
+  std::vector<Triangle> Triangles;
+  std::vector<std::uint32_t> Neighbors;
   std::vector<std::uint32_t> Order;
   std::vector<Node> Nodes;
 };

@@ -4,16 +4,17 @@
  * @brief makes a Multi-Triangulation from a triangle mesh
  *
  * The level loop of Cignoni et al., "Batched Multi Triangulation" (2005), section 4, over a partition sequence
- * Psi_0, Psi_1 ... coarser and coarser. The input's positions are snapped to one lattice, its seams stitched, and its triangles
- * sorted into the patches of the crossing of Psi_0 and Psi_1. Then, level by level, the patches of each region are put together by identity
- * (the floor), simplified to half their triangles without touching the vertices that triangles outside the region use,
- * certified (two-sided distance between floor and fragment, rounded up), given the floor's attributes, and cut into the patches of the next
- * crossing; a triangle's region is asked once, by its barycentre, for the next partition only and inherited for the present one.
- * Errors and spheres are saturated at the end. Every region is independent of the others of its level, so regions run in parallel and the
- * result does not depend on the number of threads.
+ * Psi_0, Psi_1 ... coarser and coarser. The input's positions are snapped to one lattice, its seams stitched, and its
+ * triangles sorted into the patches of the crossing of Psi_0 and Psi_1. Then, level by level, the patches of each
+ * region are put together by identity (the floor), simplified to half their triangles without touching the vertices
+ * that triangles outside the region use, certified (two-sided distance between floor and fragment, rounded up), given
+ * the floor's attributes, and cut into the patches of the next crossing; a triangle's region is asked once, by its
+ * barycentre, for the next partition only and inherited for the present one. Errors and spheres are saturated at the
+ * end. Every region is independent of the others of its level, so regions run in parallel and the result does not
+ * depend on the number of threads.
  *
- * As a filter it takes vtkPolyData and gives a vtkMultiTriangulation in memory. Build is the same without a pipeline: any
- * triangle stream in, any patch sink out.
+ * As a filter it takes vtkPolyData and gives a vtkMultiTriangulation in memory. Build is the same without a pipeline:
+ * any triangle stream in, any patch sink out.
  */
 #ifndef vtkMultiTriangulationBuilder_h
 #define vtkMultiTriangulationBuilder_h
@@ -49,7 +50,8 @@ public:
   ///@}
 
   ///@{
-  /// Threads for the regions of a level. Default 0: as many as the machine has. Clamped to [0, 1024]. Has no influence on the result.
+  /// Threads for the regions of a level. Default 0: as many as the machine has. Clamped to [0, 1024]. Has no influence
+  /// on the result.
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
@@ -74,8 +76,8 @@ public:
   ///@}
 
   /**
-   * Builds without a pipeline. False on failure or abort; then ErrorCode and ErrorMessage say why, the sink has been abandoned and nothing
-   * is published. Progress events and AbortExecute work as in the filter.
+   * Builds without a pipeline. False on failure or abort; then ErrorCode and ErrorMessage say why, the sink has been
+   * abandoned and nothing is published. Progress events and AbortExecute work as in the filter.
    */
   bool Build(vtkMTTriangleStream& input, vtkMTPatchSink& output);
 

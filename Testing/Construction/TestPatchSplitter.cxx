@@ -116,8 +116,7 @@ TEST(PatchSplitter, SharedPointsKeepTheirIdsAndSayWhoUsesThem)
   std::vector<vtkMTArrayInfo> arrays;
   vtkMTPatch strip = MakeStrip(4, arrays);
   strip.Ids = { 1001, 1002 }; // the first column
-  const vtkMTPatchSplitter split =
-    vtkMTPatchSplitter::Split(strip, { 5, 5, 5, 5, 7, 7, 7, 7 }, 2, 9);
+  const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, { 5, 5, 5, 5, 7, 7, 7, 7 }, 2, 9);
   const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { 1001, 5 }, { 1002, 5 } };
   auto uses = split.Uses;
   std::sort(uses.begin(), uses.end());
