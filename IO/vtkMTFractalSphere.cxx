@@ -2,6 +2,7 @@
 #include "vtkMTFractalSphere.h"
 
 #include "vtkMTPerlinNoise.h"
+#include "vtkMTSinglePrecision.h"
 
 #include "vtkSMPTools.h"
 
@@ -190,7 +191,6 @@ struct vtkMTFractalSphere::Internals
 
   void AppendEdge(int edge, std::vector<Point>& points)
   {
-    // An edge is side 01 of the face whose third corner is at one of its ends: its rows' first points.
     Row line = { GetCorner(this->Shape.Edges[edge][0]), GetCorner(this->Shape.Edges[edge][1]) };
     for (int level = 0; level < this->Levels; ++level)
     {
@@ -254,7 +254,7 @@ struct vtkMTFractalSphere::Internals
     Point moved;
     for (int axis = 0; axis < 3; ++axis)
     {
-      moved[axis] = static_cast<float>(factor * p[axis]);
+      moved[axis] = vtkMTSinglePrecision::Round(factor * p[axis]);
     }
     return moved;
   }

@@ -5,6 +5,8 @@
 #include "vtkMTOutputFile.h"
 #include "vtkMTPlyWriter.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTSinglePrecision.h"
+#include "vtkMTStreamWalk.h"
 #include "vtkMTTextFormat.h"
 
 #include "vtkDataSetAttributes.h"
@@ -21,52 +23,6 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
-// Walks over a stream; the uses give false on failure.
-template <typename Use>
-bool ForEachPointBlock(vtkMTTriangleStream& mesh, std::string& error, Use&& use)
-{
-  vtkMTTriangleStream::PointBlock block;
-  while (true)
-  {
-    if (!mesh.NextPoints(block))
-    {
-      error = mesh.GetError();
-      return false;
-    }
-    if (block.Points.empty())
-    {
-      return true;
-    }
-    if (!use(block))
-    {
-      return false;
-    }
-  }
-}
-
-template <typename Use>
-bool ForEachTriangleBlock(vtkMTTriangleStream& mesh, std::string& error, Use&& use)
-{
-  vtkMTTriangleStream::TriangleBlock block;
-  while (true)
-  {
-    if (!mesh.NextTriangles(block))
-    {
-      error = mesh.GetError();
-      return false;
-    }
-    if (block.Triangles.empty())
-    {
-      return true;
-    }
-    if (!use(block))
-    {
-      return false;
-    }
-  }
-}
-
 bool Put(vtkMTOutputFile& file, const std::string& text, std::string& error)
 {
   error = file.Write(text.data(), text.size()) ? error : file.GetError();
@@ -81,19 +37,35 @@ void AppendShortest(std::string& text, Number value)
   text.append(digits, result.ptr);
 }
 
-// The fewest digits that give the number back, whether it is read in single or in double precision.
-void AppendNumber(std::string& text, double value)
+// With all the digits that a double has: fewer could be taken for single precision by whoever reads them.
+void AppendDouble(std::string& text, double value)
 {
-  const float single = static_cast<float>(value);
-  text += ' ';
-  if (single == value)
+  char digits[64];
+  const std::to_chars_result result =
+    std::to_chars(digits, digits + sizeof(digits), value, std::chars_format::general, 17);
+  text.append(digits, result.ptr);
+}
+
+// Whether any position needs double precision; settles Precision::Automatic.
+bool FindPrecision(vtkMTTriangleStream& mesh, vtkMTMeshWriter::Precision precision, bool& isDouble, std::string& error)
+{
+  isDouble = precision == vtkMTMeshWriter::Precision::Double;
+  if (precision != vtkMTMeshWriter::Precision::Automatic)
   {
-    AppendShortest(text, single);
+    return true;
   }
-  else
-  {
-    AppendShortest(text, value);
-  }
+  return vtkMTStreamWalk::Rewind(mesh, error) &&
+    vtkMTStreamWalk::ForEachPointBlock(mesh, error,
+      [&isDouble](const vtkMTTriangleStream::PointBlock& block)
+      {
+        for (const auto& p : block.Points)
+        {
+          isDouble = isDouble ||
+            !(vtkMTSinglePrecision::Holds(p[0]) && vtkMTSinglePrecision::Holds(p[1]) &&
+              vtkMTSinglePrecision::Holds(p[2]));
+        }
+        return true;
+      });
 }
 
 //------------------------------------------------------------------------------
@@ -180,19 +152,22 @@ void AppendTuple(std::string& text, const vtkMTColumn& column, bool isDouble, st
       std::memcpy(&single, column.data() + i * sizeof(single), sizeof(single));
       value = single;
     }
-    AppendNumber(text, value);
+    text += ' ';
+    AppendShortest(text, static_cast<float>(value));
   }
   text += '\n';
 }
 
-void AppendObjPoints(std::string& text, const vtkMTTriangleStream::PointBlock& block, const ObjColumns& columns)
+void AppendObjPoints(
+  std::string& text, const vtkMTTriangleStream::PointBlock& block, const ObjColumns& columns, bool isDouble)
 {
   for (std::size_t row = 0; row < block.Points.size(); ++row)
   {
     text += 'v';
     for (const double x : block.Points[row])
     {
-      AppendNumber(text, x);
+      text += ' ';
+      isDouble ? AppendDouble(text, x) : AppendShortest(text, static_cast<float>(x));
     }
     text += '\n';
     if (columns.TCoords >= 0)
@@ -223,8 +198,6 @@ void AppendObjCorner(std::string& text, std::uint64_t point, const ObjColumns& c
 }
 
 //------------------------------------------------------------------------------
-using SinglePoint = std::array<float, 3>;
-
 // Normal and corners, 12 floats, and two bytes of nothing.
 void AppendStlTriangle(std::vector<unsigned char>& bytes, const std::array<std::array<double, 3>, 3>& p)
 {
@@ -255,7 +228,7 @@ bool WriteStlTriangles(vtkMTTriangleStream& mesh, const std::vector<std::array<d
   vtkMTOutputFile& file, std::string& error)
 {
   std::vector<unsigned char> bytes;
-  return ForEachTriangleBlock(mesh, error,
+  return vtkMTStreamWalk::ForEachTriangleBlock(mesh, error,
     [&](const vtkMTTriangleStream::TriangleBlock& block)
     {
       bytes.clear();
@@ -271,6 +244,57 @@ bool WriteStlTriangles(vtkMTTriangleStream& mesh, const std::vector<std::array<d
       error = file.Write(bytes.data(), bytes.size()) ? error : file.GetError();
       return file.IsOpen();
     });
+}
+
+bool PutStl(vtkMTTriangleStream& mesh, vtkMTOutputFile& file, std::string& error)
+{
+  if (mesh.GetNumberOfTriangles() > std::numeric_limits<std::uint32_t>::max())
+  {
+    error = "STL cannot hold more than 2^32 - 1 triangles";
+    return false;
+  }
+  char head[84] = "Binary STL";
+  const std::uint32_t count = static_cast<std::uint32_t>(mesh.GetNumberOfTriangles());
+  std::memcpy(head + 80, &count, sizeof(count));
+  std::vector<std::array<double, 3>> points;
+  const auto keep = [&points](const vtkMTTriangleStream::PointBlock& block)
+  {
+    points.insert(points.end(), block.Points.begin(), block.Points.end());
+    return true;
+  };
+  return vtkMTStreamWalk::Rewind(mesh, error) && vtkMTStreamWalk::ForEachPointBlock(mesh, error, keep) &&
+    Put(file, std::string(head, sizeof(head)), error) && WriteStlTriangles(mesh, points, file, error);
+}
+
+//------------------------------------------------------------------------------
+bool PutObj(vtkMTTriangleStream& mesh, vtkMTOutputFile& file, std::string& error)
+{
+  const ObjColumns columns(mesh.GetArrays());
+  bool isDouble = false;
+  std::string text;
+  const auto putPoints = [&](const vtkMTTriangleStream::PointBlock& block)
+  {
+    text.clear();
+    AppendObjPoints(text, block, columns, isDouble);
+    return Put(file, text, error);
+  };
+  const auto putTriangles = [&](const vtkMTTriangleStream::TriangleBlock& block)
+  {
+    text.clear();
+    for (const auto& triangle : block.Triangles)
+    {
+      text += 'f';
+      for (const std::uint64_t point : triangle)
+      {
+        AppendObjCorner(text, point, columns);
+      }
+      text += '\n';
+    }
+    return Put(file, text, error);
+  };
+  return FindPrecision(mesh, vtkMTMeshWriter::Precision::Automatic, isDouble, error) &&
+    vtkMTStreamWalk::Rewind(mesh, error) && vtkMTStreamWalk::ForEachPointBlock(mesh, error, putPoints) &&
+    vtkMTStreamWalk::ForEachTriangleBlock(mesh, error, putTriangles);
 }
 
 //------------------------------------------------------------------------------
@@ -326,71 +350,20 @@ bool vtkMTMeshWriter::WritePly(
   return Publish(path, error,
     [&](vtkMTOutputFile& file, std::string& reason)
     {
-      vtkMTPlyWriter writer(mesh, precision, progress);
-      return writer.Write(file, reason);
+      bool isDouble = false;
+      return FindPrecision(mesh, precision, isDouble, reason) &&
+        vtkMTPlyWriter(mesh, isDouble, progress).Write(file, reason);
     });
 }
 
 bool vtkMTMeshWriter::WriteStl(vtkMTTriangleStream& mesh, const std::string& path, std::string& error)
 {
-  return Publish(path, error,
-    [&mesh](vtkMTOutputFile& file, std::string& reason)
-    {
-      if (mesh.GetNumberOfTriangles() > std::numeric_limits<std::uint32_t>::max())
-      {
-        reason = "STL cannot hold more than 2^32 - 1 triangles";
-        return false;
-      }
-      char head[84] = "Binary STL";
-      const std::uint32_t count = static_cast<std::uint32_t>(mesh.GetNumberOfTriangles());
-      std::memcpy(head + 80, &count, sizeof(count));
-      std::vector<std::array<double, 3>> points;
-      const bool gotPoints = mesh.Rewind() &&
-        ForEachPointBlock(mesh, reason,
-          [&](const vtkMTTriangleStream::PointBlock& block)
-          {
-            points.insert(points.end(), block.Points.begin(), block.Points.end());
-            return true;
-          });
-      reason = gotPoints ? "" : mesh.GetError();
-      return gotPoints && Put(file, std::string(head, sizeof(head)), reason) &&
-        WriteStlTriangles(mesh, points, file, reason);
-    });
+  return Publish(
+    path, error, [&mesh](vtkMTOutputFile& file, std::string& reason) { return PutStl(mesh, file, reason); });
 }
 
 bool vtkMTMeshWriter::WriteObj(vtkMTTriangleStream& mesh, const std::string& path, std::string& error)
 {
-  return Publish(path, error,
-    [&mesh](vtkMTOutputFile& file, std::string& reason)
-    {
-      const ObjColumns columns(mesh.GetArrays());
-      std::string text;
-      if (!mesh.Rewind())
-      {
-        reason = mesh.GetError();
-        return false;
-      }
-      return ForEachPointBlock(mesh, reason,
-               [&](const vtkMTTriangleStream::PointBlock& block)
-               {
-                 text.clear();
-                 AppendObjPoints(text, block, columns);
-                 return Put(file, text, reason);
-               }) &&
-        ForEachTriangleBlock(mesh, reason,
-          [&](const vtkMTTriangleStream::TriangleBlock& block)
-          {
-            text.clear();
-            for (const auto& triangle : block.Triangles)
-            {
-              text += 'f';
-              for (const std::uint64_t point : triangle)
-              {
-                AppendObjCorner(text, point, columns);
-              }
-              text += '\n';
-            }
-            return Put(file, text, reason);
-          });
-    });
+  return Publish(
+    path, error, [&mesh](vtkMTOutputFile& file, std::string& reason) { return PutObj(mesh, file, reason); });
 }

@@ -12,7 +12,7 @@
  * coordinates s t, all other components a property of their own type each. PLY has no 64-bit integers: they become int,
  * uint or double, whichever holds every value; where none does that is an error.
  * - STL (binary): positions in single precision, and the normals of the triangles.
- * - OBJ: positions in the fewest digits that read back as they were, normals, 2D texture coordinates.
+ * - OBJ: positions in digits that read back as they were, normals and 2D texture coordinates in single precision.
  * - VTP: everything.
  *
  * PLY and OBJ are written block by block, in memory that does not grow with the mesh; STL needs all points at hand.

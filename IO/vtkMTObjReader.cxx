@@ -2,6 +2,7 @@
 #include "vtkMTObjReader.h"
 
 #include "vtkMTFileByteSource.h"
+#include "vtkMTSinglePrecision.h"
 #include "vtkMTTextFormat.h"
 #include "vtkMTWedgeSplitter.h"
 
@@ -45,7 +46,7 @@ struct Cells
 // last digit.
 bool NeedsDouble(std::string_view token, double value)
 {
-  const double shift = std::abs(static_cast<double>(static_cast<float>(value)) - value);
+  const double shift = std::abs(vtkMTSinglePrecision::Round(value) - value);
   if (!(shift > 0.0) || !std::isfinite(shift))
   {
     return false;

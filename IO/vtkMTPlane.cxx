@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPlane.h"
 
+#include "vtkMTSinglePrecision.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,10 +41,10 @@ bool vtkMTPlane::NextPoints(PointBlock& block)
   const double n = static_cast<double>(this->Squares);
   for (; this->PointRow <= this->Squares && block.Points.size() < BlockSize; ++this->PointRow)
   {
-    const float y = static_cast<float>(static_cast<double>(this->PointRow) / n);
+    const double y = vtkMTSinglePrecision::Round(static_cast<double>(this->PointRow) / n);
     for (std::uint64_t i = 0; i <= this->Squares; ++i)
     {
-      block.Points.push_back({ static_cast<float>(static_cast<double>(i) / n), y, 0.0 });
+      block.Points.push_back({ vtkMTSinglePrecision::Round(static_cast<double>(i) / n), y, 0.0 });
     }
   }
   return true;

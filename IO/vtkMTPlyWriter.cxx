@@ -2,6 +2,7 @@
 #include "vtkMTPlyWriter.h"
 
 #include "vtkMTOutputFile.h"
+#include "vtkMTStreamWalk.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkType.h"
@@ -118,12 +119,10 @@ void Store(std::vector<unsigned char>& bytes, std::size_t offset, Number value)
 }
 }
 
-vtkMTPlyWriter::vtkMTPlyWriter(
-  vtkMTTriangleStream& mesh, vtkMTMeshWriter::Precision precision, const vtkMTMeshWriter::Progress& progress)
+vtkMTPlyWriter::vtkMTPlyWriter(vtkMTTriangleStream& mesh, bool isDouble, const vtkMTMeshWriter::Progress& progress)
   : Mesh(mesh)
   , Progress(progress)
-  , IsDouble(precision == vtkMTMeshWriter::Precision::Double)
-  , NeedsPrecision(precision == vtkMTMeshWriter::Precision::Automatic)
+  , IsDouble(isDouble)
 {
   std::size_t columns[2] = { 0, 0 };
   for (const vtkMTArrayInfo& array : mesh.GetArrays())
@@ -211,52 +210,27 @@ bool vtkMTPlyWriter::ChooseTypes(std::vector<Property>& properties, std::string&
 
 bool vtkMTPlyWriter::Survey(std::string& error)
 {
-  const auto is64 = [](const Property& property) { return property.Is64; };
-  const bool surveyPoints =
-    this->NeedsPrecision || std::any_of(this->PointProperties.begin(), this->PointProperties.end(), is64);
-  const bool surveyCells = std::any_of(this->CellProperties.begin(), this->CellProperties.end(), is64);
-  if ((surveyPoints || surveyCells) && !this->Mesh.Rewind())
+  const auto has64 = [](const std::vector<Property>& properties)
+  { return std::any_of(properties.begin(), properties.end(), [](const Property& property) { return property.Is64; }); };
+  const bool ofPoints = has64(this->PointProperties);
+  const bool ofCells = has64(this->CellProperties);
+  if ((ofPoints || ofCells) && !vtkMTStreamWalk::Rewind(this->Mesh, error))
   {
-    error = this->Mesh.GetError();
     return false;
   }
-  vtkMTTriangleStream::PointBlock points;
-  while (surveyPoints)
+  const auto surveyPoints = [this](const vtkMTTriangleStream::PointBlock& block)
   {
-    if (!this->Mesh.NextPoints(points))
-    {
-      error = this->Mesh.GetError();
-      return false;
-    }
-    if (points.Points.empty())
-    {
-      break;
-    }
-    for (const auto& point : points.Points)
-    {
-      for (const double x : point)
-      {
-        // What is not finite is so in single precision too.
-        this->IsDouble = this->IsDouble || (this->NeedsPrecision && x == x && static_cast<float>(x) != x);
-      }
-    }
-    this->SurveyColumns(points.Columns, points.Points.size(), this->PointProperties);
-  }
-  vtkMTTriangleStream::TriangleBlock triangles;
-  while (surveyCells)
+    this->SurveyColumns(block.Columns, block.Points.size(), this->PointProperties);
+    return true;
+  };
+  const auto surveyCells = [this](const vtkMTTriangleStream::TriangleBlock& block)
   {
-    if (!this->Mesh.NextTriangles(triangles))
-    {
-      error = this->Mesh.GetError();
-      return false;
-    }
-    if (triangles.Triangles.empty())
-    {
-      break;
-    }
-    this->SurveyColumns(triangles.Columns, triangles.Triangles.size(), this->CellProperties);
-  }
-  return this->ChooseTypes(this->PointProperties, error) && this->ChooseTypes(this->CellProperties, error);
+    this->SurveyColumns(block.Columns, block.Triangles.size(), this->CellProperties);
+    return true;
+  };
+  return (!ofPoints || vtkMTStreamWalk::ForEachPointBlock(this->Mesh, error, surveyPoints)) &&
+    (!ofCells || vtkMTStreamWalk::ForEachTriangleBlock(this->Mesh, error, surveyCells)) &&
+    this->ChooseTypes(this->PointProperties, error) && this->ChooseTypes(this->CellProperties, error);
 }
 
 std::string vtkMTPlyWriter::MakeHeader() const
@@ -346,20 +320,10 @@ bool vtkMTPlyWriter::WritePoints(vtkMTOutputFile& file, std::string& error)
   const std::size_t size = this->IsDouble ? 8 : 4;
   const std::size_t rowSize = RowSize(3 * size, this->PointProperties);
   std::uint64_t done = 0;
-  vtkMTTriangleStream::PointBlock block;
   std::vector<unsigned char> bytes;
-  while (true)
+  const auto write = [&](const vtkMTTriangleStream::PointBlock& block)
   {
-    if (!this->Mesh.NextPoints(block))
-    {
-      error = this->Mesh.GetError();
-      return false;
-    }
     const std::size_t rows = block.Points.size();
-    if (rows == 0)
-    {
-      break;
-    }
     bytes.assign(rows * rowSize, 0);
     for (std::size_t row = 0; row < rows; ++row)
     {
@@ -375,16 +339,18 @@ bool vtkMTPlyWriter::WritePoints(vtkMTOutputFile& file, std::string& error)
       error = "the mesh does not give the point arrays that it announces";
       return false;
     }
-    if (!file.Write(bytes.data(), bytes.size()))
-    {
-      error = file.GetError();
-      return false;
-    }
     done += rows;
     this->Report(done);
+    error = file.Write(bytes.data(), bytes.size()) ? error : file.GetError();
+    return file.IsOpen();
+  };
+  if (!vtkMTStreamWalk::ForEachPointBlock(this->Mesh, error, write))
+  {
+    return false;
   }
-  error = done == this->Mesh.GetNumberOfPoints() ? error : "the mesh does not give as many points as it announces";
-  return done == this->Mesh.GetNumberOfPoints();
+  const bool isComplete = done == this->Mesh.GetNumberOfPoints();
+  error = isComplete ? error : "the mesh does not give as many points as it announces";
+  return isComplete;
 }
 
 bool vtkMTPlyWriter::WriteTriangles(vtkMTOutputFile& file, std::string& error)
@@ -393,50 +359,38 @@ bool vtkMTPlyWriter::WriteTriangles(vtkMTOutputFile& file, std::string& error)
   const std::uint64_t points = this->Mesh.GetNumberOfPoints();
   const std::size_t rowSize = RowSize(fixed, this->CellProperties);
   std::uint64_t done = 0;
-  vtkMTTriangleStream::TriangleBlock block;
   std::vector<unsigned char> bytes;
-  while (true)
+  const auto write = [&](const vtkMTTriangleStream::TriangleBlock& block)
   {
-    if (!this->Mesh.NextTriangles(block))
-    {
-      error = this->Mesh.GetError();
-      return false;
-    }
     const std::size_t rows = block.Triangles.size();
-    if (rows == 0)
-    {
-      break;
-    }
     bytes.assign(rows * rowSize, 3);
-    for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t i = 0; i < 3 * rows; ++i)
     {
-      for (std::size_t corner = 0; corner < 3; ++corner)
+      const std::uint64_t point = block.Triangles[i / 3][i % 3];
+      if (point >= points)
       {
-        const std::uint64_t point = block.Triangles[row][corner];
-        if (point >= points)
-        {
-          error = "triangle " + std::to_string(done + row) + " has a corner that does not exist";
-          return false;
-        }
-        Store(bytes, row * rowSize + 1 + corner * 4, static_cast<std::uint32_t>(point));
+        error = "triangle " + std::to_string(done + i / 3) + " has a corner that does not exist";
+        return false;
       }
+      Store(bytes, i / 3 * rowSize + 1 + i % 3 * 4, static_cast<std::uint32_t>(point));
     }
     if (!PutColumns(bytes, rowSize, fixed, rows, this->CellProperties, block.Columns))
     {
       error = "the mesh does not give the cell arrays that it announces";
       return false;
     }
-    if (!file.Write(bytes.data(), bytes.size()))
-    {
-      error = file.GetError();
-      return false;
-    }
     done += rows;
     this->Report(points + done);
+    error = file.Write(bytes.data(), bytes.size()) ? error : file.GetError();
+    return file.IsOpen();
+  };
+  if (!vtkMTStreamWalk::ForEachTriangleBlock(this->Mesh, error, write))
+  {
+    return false;
   }
-  error =
-    done == this->Mesh.GetNumberOfTriangles() ? error : "the mesh does not give as many triangles as it announces";
-  return done == this->Mesh.GetNumberOfTriangles();
+  const bool isComplete = done == this->Mesh.GetNumberOfTriangles();
+  error = isComplete ? error : "the mesh does not give as many triangles as it announces";
+  return isComplete;
 }
 
 bool vtkMTPlyWriter::Write(vtkMTOutputFile& file, std::string& error)
@@ -446,13 +400,8 @@ bool vtkMTPlyWriter::Write(vtkMTOutputFile& file, std::string& error)
     error = "PLY has no indices for more than 2^32 points";
     return false;
   }
-  if (!this->Survey(error))
+  if (!this->Survey(error) || !vtkMTStreamWalk::Rewind(this->Mesh, error))
   {
-    return false;
-  }
-  if (!this->Mesh.Rewind())
-  {
-    error = this->Mesh.GetError();
     return false;
   }
   const std::string header = this->MakeHeader();

@@ -11,8 +11,7 @@ class vtkMTOutputFile;
 class vtkMTPlyWriter
 {
 public:
-  vtkMTPlyWriter(
-    vtkMTTriangleStream& mesh, vtkMTMeshWriter::Precision precision, const vtkMTMeshWriter::Progress& progress);
+  vtkMTPlyWriter(vtkMTTriangleStream& mesh, bool isDouble, const vtkMTMeshWriter::Progress& progress);
   ~vtkMTPlyWriter();
 
   /// Writes everything into the open file; does not commit it.
@@ -48,7 +47,6 @@ private:
   vtkMTTriangleStream& Mesh;
   vtkMTMeshWriter::Progress Progress;
   bool IsDouble;
-  bool NeedsPrecision; // the survey decides
   std::vector<Property> PointProperties;
   std::vector<Property> CellProperties;
 };

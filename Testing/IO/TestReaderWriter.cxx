@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkMultiTriangulationReader and vtkMultiTriangulationWriter in a pipeline.
+#include "MTIOTest.h"
+#include "MTTestMeshes.h"
+#include "MTTestModel.h"
+
+#include "vtkMTFileSource.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationReader.h"
+#include "vtkMultiTriangulationWriter.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTrivialProducer.h"
+
+using namespace MTIOTest;
+
+namespace
+{
+// Keeps the errors of an algorithm off the terminal and in a string.
+class Errors
+{
+public:
+  explicit Errors(vtkAlgorithm* algorithm)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<Errors*>(self)->Text += static_cast<const char*>(text); });
+    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  std::string Text;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+vtkSmartPointer<vtkMultiTriangulation> MakeData()
+{
+  auto data = vtkSmartPointer<vtkMultiTriangulation>::New();
+  EXPECT_TRUE(data->SetSource(MTTestModel::MakeTube()));
+  return data;
+}
+}
+
+TEST(ReaderWriter, WhatIsWrittenIsRead)
+{
+  Folder folder;
+  const auto data = MakeData();
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName((folder / "model.bmt").c_str());
+  EXPECT_EQ(writer->Write(), 1);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile((folder / "model.bmt").c_str()), 1);
+
+  vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName((folder / "model.bmt").c_str());
+  reader->Update();
+  ASSERT_NE(reader->GetOutput(), nullptr);
+  ASSERT_NE(reader->GetOutput()->GetSource(), nullptr);
+  ExpectEqual(*data->GetSource(), *reader->GetOutput()->GetSource());
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), data->GetNumberOfPolys());
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPatches(), data->GetNumberOfPatches());
+  EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), data->GetPointData()->GetNumberOfArrays());
+}
+
+TEST(ReaderWriter, FileMayBeReplacedByWhatWasReadFromIt)
+{
+  Folder folder;
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(MakeData());
+  writer->SetFileName((folder / "model.bmt").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  const Bytes before = ReadFile(folder / "model.bmt");
+  vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName((folder / "model.bmt").c_str());
+  vtkNew<vtkMultiTriangulationWriter> again;
+  again->SetInputConnection(reader->GetOutputPort());
+  again->SetFileName((folder / "model.bmt").c_str());
+  ASSERT_EQ(again->Write(), 1);
+  EXPECT_EQ(ReadFile(folder / "model.bmt"), before);
+}
+
+TEST(ReaderWriter, PlainPolyDataIsRefusedByTheWriter)
+{
+  Folder folder;
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  Errors errors(writer);
+  writer->SetInputData(MTTestMeshes::Icosphere(1));
+  writer->SetFileName((folder / "model.bmt").c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_NE(errors.Text.find("vtkMultiTriangulationBuilder"), std::string::npos) << errors.Text;
+  EXPECT_NE(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  vtkNew<vtkMultiTriangulation> empty;
+  writer->SetInputData(empty);
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_TRUE(folder.List().empty());
+}
+
+TEST(ReaderWriter, WriterSaysWhatIsWrong)
+{
+  Folder folder;
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  Errors errors(writer);
+  writer->SetInputData(MakeData());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
+  writer->SetFileName((folder / "missing/model.bmt").c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
+  EXPECT_NE(errors.Text.find("missing/model.bmt"), std::string::npos);
+}
+
+TEST(ReaderWriter, ReaderSaysWhatIsWrong)
+{
+  Folder folder;
+  WriteFile(folder / "garbage.bmt", std::string(1000, 'x'));
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(MakeData());
+  writer->SetFileName((folder / "model.bmt").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  Bytes bytes = ReadFile(folder / "model.bmt");
+  bytes.resize(bytes.size() - 1);
+  WriteFile(folder / "short.bmt", bytes);
+  bytes = ReadFile(folder / "model.bmt");
+  std::uint64_t patches;
+  std::memcpy(&patches, bytes.data() + 64, sizeof(patches));
+  bytes[patches + 50] ^= 1;
+  WriteFile(folder / "damaged.bmt", bytes);
+
+  const std::vector<std::pair<std::string, unsigned long>> cases = { { "", vtkErrorCode::NoFileNameError },
+    { folder / "missing.bmt", vtkErrorCode::FileNotFoundError }, { folder / "", vtkErrorCode::CannotOpenFileError },
+    { folder / "garbage.bmt", vtkErrorCode::UnrecognizedFileTypeError },
+    { folder / "short.bmt", vtkErrorCode::FileFormatError },
+    { folder / "damaged.bmt", vtkErrorCode::FileFormatError } };
+  for (const auto& test : cases)
+  {
+    vtkNew<vtkMultiTriangulationReader> reader;
+    Errors errors(reader);
+    reader->SetFileName(test.first.c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), test.second) << test.first;
+    EXPECT_FALSE(errors.Text.empty());
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(reader->GetOutput()->GetSource(), nullptr);
+  }
+  EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile((folder / "garbage.bmt").c_str()), 0);
+  EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile((folder / "missing.bmt").c_str()), 0);
+  EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile(nullptr), 0);
+}
