@@ -40,7 +40,7 @@ vtkIdType vtkMTSelectionIds::GetId(std::uint64_t place)
   }
   const auto array = vtkMTPatchAttributes::GetArray(this->Graph, this->Array, *patch->second);
   const auto tuple = static_cast<vtkIdType>(place - found->first);
-  return tuple < array->GetNumberOfTuples() ? static_cast<vtkIdType>(array->GetTuple1(tuple)) : unknown;
+  return tuple < array->GetNumberOfTuples() ? static_cast<vtkIdType>(array->GetComponent(tuple, 0)) : unknown;
 }
 
 void vtkMTSelectionIds::Translate(const std::vector<unsigned int>& offsets, const unsigned char* lowPlaces,

@@ -10,6 +10,7 @@
 #include "vtkMultiTriangulationMapperInternals.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLCellToVTKCellMap.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
@@ -92,7 +93,15 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetColorBy(other->GetColorBy());
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
   }
-  this->Superclass::ShallowCopy(mapper);
+  if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->SetPointIdArrayName(other->GetPointIdArrayName());
+    this->SetCompositeIdArrayName(other->GetCompositeIdArrayName());
+    this->SetProcessIdArrayName(other->GetProcessIdArrayName());
+    this->SetCellIdArrayName(other->GetCellIdArrayName());
+  }
+  // Not the superclass's: in VTK 9.1 it warns of its own use of deprecated methods, and does no more than the above.
+  this->vtkPolyDataMapper::ShallowCopy(mapper);
 }
 
 //------------------------------------------------------------------------------
@@ -187,28 +196,38 @@ void vtkMultiTriangulationMapper::FollowInput()
   }
   if (self.DrewPatches != (source != nullptr))
   {
-    // The superclass and this class keep different things in the same places.
     self.DrewPatches = source != nullptr;
-    this->VBOBuildState.Clear();
-    this->IBOBuildState.Clear();
-    this->CellTextureBuildState.Clear();
-    for (vtkTextureObject** texture : { &this->CellScalarTexture, &this->CellNormalTexture })
+    this->ForgetBuffers();
+  }
+}
+
+//------------------------------------------------------------------------------
+// The superclass and this class keep different things in the same places.
+void vtkMultiTriangulationMapper::ForgetBuffers()
+{
+  this->VBOBuildState.Clear();
+  this->IBOBuildState.Clear();
+  this->CellTextureBuildState.Clear();
+  for (vtkTextureObject** texture : { &this->CellScalarTexture, &this->CellNormalTexture })
+  {
+    if (*texture)
     {
-      if (*texture)
-      {
-        (*texture)->Delete();
-        *texture = nullptr;
-      }
-    }
-    for (vtkOpenGLBufferObject** buffer : { &this->CellScalarBuffer, &this->CellNormalBuffer })
-    {
-      if (*buffer)
-      {
-        (*buffer)->Delete();
-        *buffer = nullptr;
-      }
+      (*texture)->Delete();
+      *texture = nullptr;
     }
   }
+  for (vtkOpenGLBufferObject** buffer : { &this->CellScalarBuffer, &this->CellNormalBuffer })
+  {
+    if (*buffer)
+    {
+      (*buffer)->Delete();
+      *buffer = nullptr;
+    }
+  }
+  // This map may have been emptied without forgetting what it was built for; so it is built for something else.
+  vtkPolyData* other = this->Implementation->Template;
+  vtkCellArray* cells[4] = { other->GetVerts(), other->GetLines(), other->GetPolys(), other->GetStrips() };
+  this->CellCellMap->Update(cells, VTK_SURFACE, other->GetPoints());
 }
 
 //------------------------------------------------------------------------------

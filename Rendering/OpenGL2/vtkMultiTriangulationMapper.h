@@ -199,6 +199,7 @@ private:
 
   bool HasPatches();
   void FollowInput();
+  void ForgetBuffers();
   void PlanColors();
   void PlanAttributes(vtkActor* actor);
   void BuildTemplate(vtkRenderer* renderer);

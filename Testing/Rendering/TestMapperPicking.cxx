@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Picking gives the input's ids, on any level.
+#include "MTGridModel.h"
+#include "MTPicture.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkCellPicker.h"
+#include "vtkDataObject.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMTPatchStore.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <set>
+#include <vector>
+
+namespace
+{
+vtkSmartPointer<vtkMultiTriangulation> MakeInput()
+{
+  auto input = vtkSmartPointer<vtkMultiTriangulation>::New();
+  input->SetSource(MTGridModel().Make());
+  return input;
+}
+
+void LookFromTheSide(MTScene& scene)
+{
+  scene.Renderer->ResetCamera();
+  scene.Renderer->GetActiveCamera()->Elevation(-50.0);
+  scene.Renderer->GetActiveCamera()->Zoom(1.3);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+std::set<vtkIdType> Select(MTScene& scene, int association, const unsigned int area[4])
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetFieldAssociation(association);
+  selector->SetArea(area[0], area[1], area[2], area[3]);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  std::set<vtkIdType> ids;
+  for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
+  {
+    auto* list = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
+    for (vtkIdType i = 0; i < list->GetNumberOfValues(); ++i)
+    {
+      ids.insert(list->GetValue(i));
+    }
+  }
+  return ids;
+}
+
+class PickingWith : public ::testing::TestWithParam<int>
+{
+};
+
+TEST_P(PickingWith, HardwareSelectorGivesInputCells)
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(MakeInput());
+  mapper->SetPixelError(2.0);
+  mapper->ScalarVisibilityOff();
+  MTScene scene(mapper);
+  scene.Actor->GetProperty()->SetRepresentation(GetParam());
+  LookFromTheSide(scene);
+  scene.Render();
+  const unsigned int area[4] = { 100, 120, 160, 150 };
+  const std::set<vtkIdType> ids = Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, area);
+
+  vtkNew<vtkPolyData> mesh;
+  ASSERT_TRUE(mapper->GetCut(mesh));
+  vtkNew<vtkPolyDataMapper> reference;
+  reference->SetInputData(mesh);
+  reference->ScalarVisibilityOff();
+  MTScene plain(reference);
+  plain.Actor->GetProperty()->SetRepresentation(GetParam());
+  LookFromTheSide(plain);
+  plain.Render();
+  auto* input = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray("CellIds"));
+  std::set<vtkIdType> expected;
+  for (const vtkIdType cell : Select(plain, vtkDataObject::FIELD_ASSOCIATION_CELLS, area))
+  {
+    expected.insert(input->GetValue(cell));
+  }
+  std::vector<vtkIdType> different;
+  std::set_symmetric_difference(
+    ids.begin(), ids.end(), expected.begin(), expected.end(), std::back_inserter(different));
+  std::cout << ids.size() << " input cells selected, " << different.size() << " of them not the reference's\n";
+  EXPECT_GT(ids.size(), 50u);
+  // Which of two lines of equal depth is seen depends on the order of the triangles.
+  EXPECT_LE(different.size(), GetParam() == VTK_SURFACE ? 0 : ids.size() / 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Representations, PickingWith, ::testing::Values(VTK_SURFACE, VTK_WIREFRAME, VTK_POINTS));
+
+TEST(Picking, HardwareSelectorGivesTheNamedPointIds)
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(MakeInput());
+  mapper->SetPixelError(2.0);
+  mapper->SetPointIdArrayName("Color"); // its first component is the column of the point, from 0 to 255
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  scene.Render();
+  const unsigned int left[4] = { 40, 120, 80, 150 };
+  const unsigned int right[4] = { 220, 120, 260, 150 };
+  const std::set<vtkIdType> lefts = Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, left);
+  const std::set<vtkIdType> rights = Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, right);
+  ASSERT_FALSE(lefts.empty());
+  ASSERT_FALSE(rights.empty());
+  std::cout << "left " << *lefts.begin() << " to " << *lefts.rbegin() << ", right " << *rights.begin() << " to "
+            << *rights.rbegin() << "\n";
+  EXPECT_LT(*lefts.rbegin(), *rights.begin());
+  EXPECT_LE(*rights.rbegin(), 255);
+}
+
+TEST(Picking, PictureIsTheSameAfterASelection)
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(MakeInput());
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  const auto before = scene.Render();
+  const unsigned int area[4] = { 0, 0, 299, 299 };
+  Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, area);
+  Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, area);
+  EXPECT_EQ(MTDifference::Compare(scene.Render(), before).Pixels, 0u);
+}
+
+TEST(Picking, CellPickerFindsInputCellsThroughTheCoarsestCut)
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(MakeInput());
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  scene.Render();
+  vtkNew<vtkCellPicker> picker;
+  ASSERT_EQ(picker->Pick(150, 150, 0.0, scene.Renderer), 1);
+  auto* ids = vtkIdTypeArray::SafeDownCast(picker->GetDataSet()->GetCellData()->GetArray("CellIds"));
+  ASSERT_NE(ids, nullptr);
+  const vtkIdType cell = ids->GetValue(picker->GetCellId());
+  std::cout << "cell " << cell << " at " << picker->GetPickPosition()[0] << ", " << picker->GetPickPosition()[1]
+            << "\n";
+  EXPECT_GE(cell, 0);
+  EXPECT_LT(cell, 2 * 128 * 128);
+}
+}
