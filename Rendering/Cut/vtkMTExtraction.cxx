@@ -112,10 +112,6 @@ public:
       this->EnterLeaving(this->Graph.GetSource());
       this->Out.WithinBudget = this->Fits(this->Out.Triangles);
       this->Refine();
-      if (this->Options.TriangleBudget > 0 && !this->Postponed.empty() && this->IsUnderused())
-      {
-        this->Fill();
-      }
       this->Finish();
     }
     return std::move(this->Out);
@@ -129,13 +125,16 @@ public:
       if (cut.IsRefined(node))
       {
         this->RefinedNodes.push_back(node);
-        this->EnterLeaving(node);
       }
     }
     if (!this->Graph.IsEmpty())
     {
-      this->Out.WithinBudget = this->Fits(this->Out.Triangles);
       this->Finish();
+      for (const std::uint32_t arc : this->Out.Arcs)
+      {
+        this->Out.Triangles += this->Graph.Arcs[arc].Triangles;
+      }
+      this->Out.WithinBudget = this->Fits(this->Out.Triangles);
     }
     return std::move(this->Out);
   }
@@ -154,11 +153,6 @@ private:
   bool Fits(std::uint64_t triangles) const
   {
     return this->Options.TriangleBudget == 0 || triangles <= this->Options.TriangleBudget;
-  }
-
-  bool IsUnderused() const
-  {
-    return 10.0 * static_cast<double>(this->Out.Triangles) < 9.0 * static_cast<double>(this->Options.TriangleBudget);
   }
 
   bool IsDrawn(std::uint32_t arc)
@@ -363,31 +357,6 @@ private:
     const auto done = [this](const Candidate& candidate)
     { return this->Out.Cut.IsRefined(candidate.Node) || candidate.Error < this->Memory.Wanted[candidate.Node]; };
     this->Postponed.erase(std::remove_if(this->Postponed.begin(), this->Postponed.end(), done), this->Postponed.end());
-  }
-
-  /// Refines, one by one, coarser nodes that postponed refinements wait for.
-  void Fill()
-  {
-    bool progress = true;
-    while (progress && this->IsUnderused())
-    {
-      progress = false;
-      const std::vector<Candidate> waiting = this->Postponed;
-      for (const Candidate& candidate : waiting)
-      {
-        this->GetClosure(candidate.Node);
-        this->Unmark();
-        const std::vector<std::uint32_t> needed = this->Closure;
-        for (const std::uint32_t node : needed)
-        {
-          if (this->Out.Cut.CanRefine(node) && this->TryRefine(node, candidate.Error))
-          {
-            progress = true;
-          }
-        }
-      }
-      this->Refine();
-    }
   }
 
   void Finish()

@@ -7,9 +7,8 @@
  * coarsest cut and keeps the refinements that are wanted in a heap, the largest error first, ties by node index. A
  * refinement that needs coarser nodes refined takes them along (BMT section 3.1), so after every operation the cut is
  * closed and its patches conform. A refinement that does not fit the triangle budget is put aside, smaller ones are
- * tried instead, and what was put aside is tried again whenever the cut has changed. Where less than nine tenths of the
- * budget are then used, the coarser nodes that the postponed refinements wait for are refined one by one as far as they
- * fit.
+ * tried instead, and what was put aside is tried again whenever the cut has changed; so nothing that is wanted and fits
+ * is left undone. Because errors are saturated, the coarser nodes that a refinement waits for are wanted themselves.
  *
  * The error of an arc's patch is the pixel error of the node that it enters, taken over the patch's own box, which is
  * tighter than the node's sphere; that of a node is the largest of the arcs that enter it. An arc whose box, grown by

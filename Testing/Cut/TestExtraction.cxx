@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Extraction without a view: the error is the node's own.
+#include "MTRandomGraph.h"
+#include "MTTestModel.h"
+
+#include "vtkMTExtraction.h"
+#include "vtkMTValidate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace
+{
+vtkMTExtraction::Result Extract(const vtkMTGraph& graph, const vtkMTExtraction::Settings& settings,
+  const std::vector<unsigned char>* resident = nullptr)
+{
+  vtkMTExtraction extraction;
+  vtkMTExtraction::Input input;
+  input.Graph = &graph;
+  input.Resident = resident;
+  return extraction.Extract(input, settings);
+}
+
+TEST(Extraction, RandomGraphsAreValid)
+{
+  for (std::uint32_t seed = 0; seed < 20; ++seed)
+  {
+    const auto result = vtkMTValidate::Graph(MTRandomGraph::Make(seed, 4 + static_cast<int>(seed)));
+    EXPECT_TRUE(result.IsValid()) << "seed " << seed << ": "
+                                  << (result.Findings.empty() ? "" : result.Findings[0].What);
+  }
+}
+
+TEST(Extraction, ErrorCutIsTheSmallestOfAllCutsWithThatError)
+{
+  std::size_t cuts = 0;
+  for (std::uint32_t seed = 0; seed < 30; ++seed)
+  {
+    const vtkMTGraph graph = MTRandomGraph::Make(seed, 6);
+    const std::vector<vtkMTCut> all = MTRandomGraph::EnumerateCuts(graph);
+    cuts += all.size();
+    for (const double error : { 5e-5, 1e-4, 3e-4, 1e-3, 3e-3 })
+    {
+      vtkMTExtraction::Settings settings;
+      settings.ModelError = error;
+      const auto result = Extract(graph, settings);
+      ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
+      EXPECT_LE(result.Cut.GetError(), error);
+      EXPECT_DOUBLE_EQ(result.ModelError, result.Cut.GetError());
+      EXPECT_TRUE(result.Converged);
+      for (const vtkMTCut& cut : all)
+      {
+        if (cut.GetError() <= error)
+        {
+          EXPECT_GE(cut.GetNumberOfTriangles(), result.Cut.GetNumberOfTriangles()) << "seed " << seed;
+        }
+      }
+    }
+  }
+  std::cout << cuts << " cuts enumerated\n";
+  EXPECT_GT(cuts, 1000u);
+}
+
+TEST(Extraction, ArcsAndFiguresAreThoseOfTheCut)
+{
+  for (std::uint32_t seed = 0; seed < 20; ++seed)
+  {
+    const vtkMTGraph graph = MTRandomGraph::Make(seed, 60);
+    vtkMTExtraction::Settings settings;
+    settings.ModelError = 1e-3;
+    const auto result = Extract(graph, settings);
+    std::vector<std::uint32_t> arcs = result.Cut.GetArcs();
+    std::sort(arcs.begin(), arcs.end());
+    EXPECT_EQ(result.Arcs, arcs);
+    EXPECT_EQ(result.Triangles, result.Cut.GetNumberOfTriangles());
+    EXPECT_EQ(result.ArcsInCut, result.Cut.GetNumberOfArcs());
+    EXPECT_EQ(result.ArcsCulled, 0u);
+  }
+}
+
+TEST(Extraction, SmallerErrorsRefineTheSameNodesAndMore)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(7, 200);
+  vtkMTCut last(graph);
+  for (const double error : { 1e-1, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 0.0 })
+  {
+    vtkMTExtraction::Settings settings;
+    settings.ModelError = error;
+    const auto result = Extract(graph, settings);
+    for (std::uint32_t node = 0; node < graph.Nodes.size(); ++node)
+    {
+      EXPECT_TRUE(!last.IsRefined(node) || result.Cut.IsRefined(node));
+    }
+    last = result.Cut;
+  }
+}
+
+TEST(Extraction, EdgeLengthChoiceComparesEdgeLengths)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(3, 50);
+  vtkMTExtraction::Settings settings;
+  settings.ModelError = 0.01;
+  settings.ErrorChoice = vtkMTExtraction::EdgeLength;
+  const auto result = Extract(graph, settings);
+  ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
+  EXPECT_GT(result.NodesRefined, 0u);
+  for (const std::uint32_t arc : result.Arcs)
+  {
+    const std::uint32_t node = graph.Arcs[arc].To;
+    EXPECT_TRUE(node == graph.GetSink() || graph.Nodes[node].EdgeLength <= 0.01);
+  }
+}
+
+TEST(Extraction, ResultDoesNotDependOnEarlierCalls)
+{
+  vtkMTExtraction used;
+  const vtkMTGraph graph = MTRandomGraph::Make(5, 100);
+  const vtkMTGraph other = MTRandomGraph::Make(6, 150);
+  for (const double error : { 1e-4, 1e-2, 1e-3, 0.0, 5e-3 })
+  {
+    for (const vtkMTGraph* each : { &graph, &other })
+    {
+      vtkMTExtraction::Settings settings;
+      settings.ModelError = error;
+      settings.TriangleBudget = 20000;
+      vtkMTExtraction::Input input;
+      input.Graph = each;
+      const auto result = used.Extract(input, settings);
+      EXPECT_EQ(result.Arcs, Extract(*each, settings).Arcs);
+    }
+  }
+}
+
+TEST(Extraction, WhatIsNotResidentIsRequestedAndNotDrawn)
+{
+  for (std::uint32_t seed = 0; seed < 10; ++seed)
+  {
+    const vtkMTGraph graph = MTRandomGraph::Make(seed, 80);
+    std::vector<unsigned char> resident(graph.Arcs.size(), 0);
+    for (std::size_t arc = 0; arc < resident.size(); ++arc)
+    {
+      resident[arc] = graph.Arcs[arc].From == graph.GetSource() || arc % 5 != 0;
+    }
+    vtkMTExtraction::Settings settings;
+    settings.ModelError = 1e-3;
+    const auto result = Extract(graph, settings, &resident);
+    ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
+    for (const std::uint32_t arc : result.Arcs)
+    {
+      EXPECT_TRUE(resident[arc]);
+    }
+    EXPECT_FALSE(result.Converged);
+    ASSERT_FALSE(result.Requests.empty());
+    for (std::size_t i = 0; i < result.Requests.size(); ++i)
+    {
+      EXPECT_FALSE(resident[result.Requests[i].Arc]);
+      EXPECT_TRUE(i == 0 || result.Requests[i].Error <= result.Requests[i - 1].Error);
+    }
+  }
+}
+
+TEST(Extraction, LoadingWhatIsRequestedConvergesToTheFullCut)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(11, 100);
+  vtkMTExtraction::Settings settings;
+  settings.ModelError = 5e-4;
+  const auto wanted = Extract(graph, settings);
+  std::vector<unsigned char> resident(graph.Arcs.size(), 0);
+  for (std::size_t arc = 0; arc < resident.size(); ++arc)
+  {
+    resident[arc] = graph.Arcs[arc].From == graph.GetSource();
+  }
+  int frames = 0;
+  std::size_t loaded = 0;
+  auto result = Extract(graph, settings, &resident);
+  while (!result.Requests.empty() && frames < 1000)
+  {
+    for (std::size_t i = 0; i < std::min<std::size_t>(10, result.Requests.size()); ++i)
+    {
+      resident[result.Requests[i].Arc] = 1;
+      ++loaded;
+    }
+    result = Extract(graph, settings, &resident);
+    ++frames;
+  }
+  std::cout << frames << " frames, " << loaded << " patches loaded for a cut of " << result.Arcs.size() << "\n";
+  EXPECT_EQ(result.Arcs, wanted.Arcs);
+}
+
+TEST(Extraction, ByLevelTakesThatLevelsPatches)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(2, 40);
+  std::string message;
+  for (std::uint32_t level = 0; level < graph.GetNumberOfLevels(); ++level)
+  {
+    vtkMTCut cut(graph);
+    ASSERT_TRUE(vtkMTExtraction::ByLevel(graph, level, cut, message));
+    for (const std::uint32_t arc : cut.GetArcs())
+    {
+      EXPECT_EQ(graph.GetLevelOfArc(arc), level);
+    }
+  }
+  vtkMTCut cut(graph);
+  EXPECT_FALSE(vtkMTExtraction::ByLevel(graph, graph.GetNumberOfLevels(), cut, message));
+  std::cout << message << "\n";
+}
+
+TEST(Extraction, ByErrorFailsBelowTheFinestLevelsError)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(2, 40);
+  vtkMTExtraction extraction;
+  vtkMTCut cut(graph);
+  std::string message;
+  EXPECT_TRUE(extraction.ByError(graph, 1e-3, cut, message)) << message;
+  EXPECT_LE(cut.GetError(), 1e-3);
+  EXPECT_FALSE(extraction.ByError(graph, 0.5 * graph.Nodes[graph.GetSink()].Error, cut, message));
+  std::cout << message << "\n";
+}
+
+TEST(Extraction, EmptyGraphGivesAnEmptyCut)
+{
+  const vtkMTGraph graph;
+  const auto result = Extract(graph, vtkMTExtraction::Settings());
+  EXPECT_TRUE(result.Arcs.empty());
+  EXPECT_TRUE(result.Converged);
+}
+
+TEST(Extraction, CutsOfARealModelConform)
+{
+  const auto store = MTTestModel::TubeMaker(MTTestModel::TubeOptions()).Make();
+  vtkMTValidate::Borders borders;
+  ASSERT_TRUE(borders.Load(*store).IsValid());
+  vtkMTExtraction extraction;
+  for (const double share : { 1.0, 0.5, 0.2, 0.1, 0.05 })
+  {
+    vtkMTCut cut(store->GetGraph());
+    std::string message;
+    const auto triangles = static_cast<std::uint64_t>(share * store->GetGraph().GetFinestTriangles());
+    if (!extraction.ByTriangles(store->GetGraph(), triangles, cut, message))
+    {
+      std::cout << message << "\n";
+      continue;
+    }
+    EXPECT_TRUE(borders.Cut(cut).IsValid());
+    EXPECT_EQ(borders.CountBorderEdges(cut), 0u);
+    EXPECT_LE(cut.GetNumberOfTriangles(), triangles);
+  }
+}
+}

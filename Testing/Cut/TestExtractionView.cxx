@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Extraction in a view: pixels, frustum, budget of what is drawn.
+#include "MTRandomGraph.h"
+
+#include "vtkMTExtraction.h"
+#include "vtkMTView.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <random>
+
+namespace
+{
+// From above the plane's point (x, y), height h, looking down and along +y by the angle.
+vtkMTView LookAt(double x, double y, double height, double tilt, bool parallel = false)
+{
+  vtkMTView view;
+  const double c = std::cos(tilt);
+  const double s = std::sin(tilt);
+  // Eye axes: right (1, 0, 0), up (0, c, s), back (0, -s, c).
+  const double axes[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, c, s }, { 0.0, -s, c } };
+  const double eye[3] = { x, y, height };
+  for (int i = 0; i < 3; ++i)
+  {
+    double shift = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      view.ModelToEye[4 * i + k] = axes[i][k];
+      shift -= axes[i][k] * eye[k];
+    }
+    view.ModelToEye[4 * i + 3] = shift;
+  }
+  view.UpdateStretch();
+  view.ParallelProjection = parallel;
+  view.HalfSize = parallel ? std::array<double, 2>{ 0.3, 0.2 } : std::array<double, 2>{ 0.5, 0.3 };
+  view.PixelsPerUnit = 400.0 / view.HalfSize[0];
+  view.Near = 0.01;
+  view.Far = 10.0;
+  return view;
+}
+
+std::vector<vtkMTView> GetViews()
+{
+  std::vector<vtkMTView> views;
+  std::mt19937 random(1);
+  const auto draw = [&random] { return static_cast<double>(random() % 1000) / 1000.0; };
+  for (int i = 0; i < 24; ++i)
+  {
+    views.push_back(LookAt(draw(), draw(), 0.05 + draw(), 1.3 * draw(), i % 4 == 3));
+  }
+  return views;
+}
+
+vtkMTExtraction::Result Extract(
+  const vtkMTGraph& graph, const vtkMTView& view, const vtkMTExtraction::Settings& settings)
+{
+  vtkMTExtraction extraction;
+  vtkMTExtraction::Input input;
+  input.Graph = &graph;
+  input.View = &view;
+  return extraction.Extract(input, settings);
+}
+
+TEST(ExtractionView, EverythingVisibleIsBelowTheThreshold)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(4, 300);
+  for (const vtkMTView& view : GetViews())
+  {
+    for (const double pixels : { 0.1, 0.5, 2.0 })
+    {
+      vtkMTExtraction::Settings settings;
+      settings.PixelError = pixels;
+      const auto result = Extract(graph, view, settings);
+      ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
+      EXPECT_TRUE(result.Converged);
+      for (const std::uint32_t arc : result.Arcs)
+      {
+        const double error = vtkMTExtraction::GetPixelError(graph, view, arc, vtkMTExtraction::Distance);
+        EXPECT_TRUE(error <= pixels || graph.Arcs[arc].To == graph.GetSink());
+        EXPECT_LE(error, result.PixelError);
+      }
+    }
+  }
+}
+
+TEST(ExtractionView, NoNodeIsRefinedWithoutNeed)
+{
+  std::size_t nodes = 0;
+  const vtkMTGraph graph = MTRandomGraph::Make(8, 200);
+  for (const vtkMTView& view : GetViews())
+  {
+    vtkMTExtraction::Settings settings;
+    settings.PixelError = 0.5;
+    const auto result = Extract(graph, view, settings);
+    for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+    {
+      if (!result.Cut.CanCoarsen(node))
+      {
+        continue;
+      }
+      // Coarsened, one of its patches that may be seen would be above the threshold.
+      const vtkMTNode& record = graph.Nodes[node];
+      bool needed = false;
+      for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+      {
+        const std::uint32_t arc = graph.Entering[k];
+        needed =
+          needed || vtkMTExtraction::GetPixelError(graph, view, arc, vtkMTExtraction::Distance) > settings.PixelError;
+      }
+      EXPECT_TRUE(needed) << "node " << node;
+      ++nodes;
+    }
+  }
+  std::cout << nodes << " nodes at the cut\n";
+  EXPECT_GT(nodes, 100u);
+}
+
+TEST(ExtractionView, SmallerThresholdsRefineTheSameNodesAndMore)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(9, 200);
+  for (const vtkMTView& view : GetViews())
+  {
+    vtkMTCut last(graph);
+    for (const double pixels : { 10.0, 3.0, 1.0, 0.3, 0.1 })
+    {
+      vtkMTExtraction::Settings settings;
+      settings.PixelError = pixels;
+      const auto result = Extract(graph, view, settings);
+      for (std::uint32_t node = 0; node < graph.Nodes.size(); ++node)
+      {
+        ASSERT_TRUE(!last.IsRefined(node) || result.Cut.IsRefined(node));
+      }
+      last = result.Cut;
+    }
+  }
+}
+
+TEST(ExtractionView, NoPointOfACulledPatchIsInTheFrustum)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(10, 200);
+  std::size_t points = 0;
+  std::size_t culled = 0;
+  for (const vtkMTView& view : GetViews())
+  {
+    vtkMTExtraction::Settings settings;
+    const auto result = Extract(graph, view, settings);
+    for (const std::uint32_t arc : result.Cut.GetArcs())
+    {
+      if (std::binary_search(result.Arcs.begin(), result.Arcs.end(), arc))
+      {
+        continue;
+      }
+      ++culled;
+      double box[6];
+      graph.Lattice.ToWorld(graph.Arcs[arc].Box, box);
+      for (int i = 0; i < 125; ++i)
+      {
+        const double t[3] = { (i % 5) / 4.0, (i / 5 % 5) / 4.0, (i / 25) / 4.0 };
+        std::array<double, 3> x;
+        for (int k = 0; k < 3; ++k)
+        {
+          x[k] = box[2 * k] + t[k] * (box[2 * k + 1] - box[2 * k]);
+        }
+        const std::array<double, 3> eye = view.ToEye(x);
+        const double scale = view.ParallelProjection ? 1.0 : -eye[2];
+        const bool inside = -eye[2] > view.Near && -eye[2] < view.Far && std::abs(eye[0]) < view.HalfSize[0] * scale &&
+          std::abs(eye[1]) < view.HalfSize[1] * scale;
+        EXPECT_FALSE(inside);
+        ++points;
+      }
+    }
+    EXPECT_EQ(result.ArcsCulled + result.Arcs.size(), result.ArcsInCut);
+  }
+  std::cout << culled << " culled patches, " << points << " points tested\n";
+  EXPECT_GT(culled, 100u);
+}
+
+TEST(ExtractionView, CullingOffDrawsTheSameCutWhole)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(12, 200);
+  for (const vtkMTView& view : GetViews())
+  {
+    vtkMTExtraction::Settings settings;
+    const auto culled = Extract(graph, view, settings);
+    settings.FrustumCulling = false;
+    const auto whole = Extract(graph, view, settings);
+    EXPECT_EQ(whole.Arcs.size(), whole.ArcsInCut);
+    EXPECT_EQ(whole.NodesRefined, culled.NodesRefined);
+    EXPECT_TRUE(std::includes(whole.Arcs.begin(), whole.Arcs.end(), culled.Arcs.begin(), culled.Arcs.end()));
+  }
+}
+
+TEST(ExtractionView, BudgetCountsWhatIsDrawnAndIsUsed)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(13, 2000);
+  double mean = 0.0;
+  for (const vtkMTArc& arc : graph.Arcs)
+  {
+    mean += static_cast<double>(arc.Triangles) / static_cast<double>(graph.Arcs.size());
+  }
+  double least = 1.0;
+  int short_ = 0;
+  for (const vtkMTView& view : GetViews())
+  {
+    for (const double patches : { 50.0, 100.0, 300.0 })
+    {
+      vtkMTExtraction::Settings settings;
+      settings.PixelError = 0.02;
+      settings.TriangleBudget = static_cast<std::uint64_t>(patches * mean);
+      const auto result = Extract(graph, view, settings);
+      ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
+      std::uint64_t triangles = 0;
+      for (const std::uint32_t arc : result.Arcs)
+      {
+        triangles += graph.Arcs[arc].Triangles;
+      }
+      EXPECT_EQ(result.Triangles, triangles);
+      EXPECT_LE(result.Triangles, settings.TriangleBudget);
+      if (!result.Converged)
+      {
+        const double used = static_cast<double>(triangles) / static_cast<double>(settings.TriangleBudget);
+        least = std::min(least, used);
+        EXPECT_GE(used, 0.9);
+        ++short_;
+      }
+    }
+  }
+  std::cout << short_ << " budgets too small for the error, the least use of them is " << least << "\n";
+  EXPECT_GT(short_, 10);
+}
+
+TEST(ExtractionView, KeptCutIsShownAsItWasExtracted)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(14, 200);
+  vtkMTExtraction extraction;
+  for (const vtkMTView& view : GetViews())
+  {
+    vtkMTExtraction::Settings settings;
+    settings.PixelError = 0.5;
+    vtkMTExtraction::Input input;
+    input.Graph = &graph;
+    input.View = &view;
+    const auto result = extraction.Extract(input, settings);
+    const auto shown = extraction.View(result.Cut, input, settings);
+    EXPECT_EQ(shown.Arcs, result.Arcs);
+    EXPECT_EQ(shown.Triangles, result.Triangles);
+    EXPECT_EQ(shown.PixelError, result.PixelError);
+    EXPECT_EQ(shown.NodesRefined, result.NodesRefined);
+    EXPECT_EQ(shown.Converged, result.Converged);
+  }
+}
+
+TEST(ExtractionView, OutOfSightNothingIsRefinedOrDrawn)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(15, 100);
+  const vtkMTView view = LookAt(0.5, 0.5, 0.5, 3.0); // upwards
+  const auto result = Extract(graph, view, vtkMTExtraction::Settings());
+  EXPECT_EQ(result.NodesRefined, 0u);
+  EXPECT_TRUE(result.Arcs.empty());
+  EXPECT_EQ(result.Triangles, 0u);
+  EXPECT_EQ(result.PixelError, 0.0);
+  EXPECT_TRUE(result.Converged);
+}
+}
