@@ -4,16 +4,19 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
+#include "vtkOutputWindow.h"
 
 namespace
 {
-// "ERROR: In file.cxx, line 1\nvtkClass (0x123): what is wrong\n\n" -> "what is wrong"
+// "ERROR: In file.cxx, line 1\nvtkClass (0x123): what is wrong\n\n" -> "what is wrong"; generic warnings name no
+// object.
 std::string Trim(std::string text)
 {
-  const std::size_t head = text.find("): ");
-  if (text.compare(0, 6, "ERROR:") == 0 && head != std::string::npos)
+  const std::size_t line = text.find('\n');
+  if ((text.compare(0, 6, "ERROR:") == 0 || text.compare(0, 8, "Generic ") == 0) && line != std::string::npos)
   {
-    text.erase(0, head + 3);
+    const std::size_t head = text.find("): ");
+    text.erase(0, head != std::string::npos ? head + 3 : line + 1);
   }
   const std::size_t last = text.find_last_not_of(" \n\r\t");
   text.erase(last == std::string::npos ? 0 : last + 1);
@@ -48,6 +51,16 @@ void vtkMTErrorCollector::Observe(vtkAlgorithm* algorithm)
 void vtkMTErrorCollector::Observe(vtkObject* object)
 {
   this->Observed.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, this->Command));
+}
+
+void vtkMTErrorCollector::ObserveOutputWindow(bool warningsToo)
+{
+  vtkOutputWindow* window = vtkOutputWindow::GetInstance();
+  this->Observe(static_cast<vtkObject*>(window));
+  if (warningsToo)
+  {
+    this->Observed.emplace_back(window, window->AddObserver(vtkCommand::WarningEvent, this->Command));
+  }
 }
 
 vtkCommand* vtkMTErrorCollector::GetCommand()

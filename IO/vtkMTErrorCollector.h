@@ -25,6 +25,9 @@ public:
   /// Observes the algorithm and its executive.
   void Observe(vtkAlgorithm* algorithm);
   void Observe(vtkObject* object);
+  /// What VTK says without naming an object that could be observed: some readers report damage by warnings of no one.
+  /// Whatever other threads say in the meantime is taken for it too.
+  void ObserveOutputWindow(bool warningsToo);
   /// For objects that take an error observer instead of being observed.
   vtkCommand* GetCommand();
 

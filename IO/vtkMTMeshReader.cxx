@@ -3,6 +3,7 @@
 
 #include "vtkMTErrorCollector.h"
 #include "vtkMTFileByteSource.h"
+#include "vtkMTLegacyCheck.h"
 #include "vtkMTObjReader.h"
 #include "vtkMTPlyReader.h"
 #include "vtkMTStlReader.h"
@@ -113,9 +114,11 @@ bool ReadVtp(const std::string& path, std::string_view begin, vtkPolyData* outpu
   return true;
 }
 
-bool ReadLegacy(const std::string& path, vtkPolyData* output, std::string& error)
+bool ReadLegacy(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
 {
+  const std::string path = bytes.GetName();
   vtkMTErrorCollector errors;
+  errors.ObserveOutputWindow(true); // a file that ends in its arrays is only warned of
   vtkNew<vtkPolyDataReader> reader;
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();
@@ -131,7 +134,7 @@ bool ReadLegacy(const std::string& path, vtkPolyData* output, std::string& error
     error = errors.HasErrors() ? errors.GetMessage() : "holds no polydata; of VTK's legacy formats, that one is read";
     return false;
   }
-  if (!Update(reader.Get(), path, errors, error))
+  if (!vtkMTLegacyCheck::Check(bytes, error) || !Update(reader.Get(), path, errors, error))
   {
     return false;
   }
@@ -165,6 +168,7 @@ bool CheckGlb(const vtkMTByteSource& bytes, std::string& error)
 bool ReadGltf(const std::string& path, vtkPolyData* output, std::string& error)
 {
   vtkMTErrorCollector errors;
+  errors.ObserveOutputWindow(false); // the reader's own loader cannot be observed
   vtkNew<vtkGLTFReader> reader;
   if (!Update(reader.Get(), path, errors, error))
   {
@@ -260,7 +264,7 @@ bool ReadFormat(
     case Format::Vtp:
       return ReadVtp(path, begin, output, error);
     case Format::Legacy:
-      return ReadLegacy(path, output, error);
+      return ReadLegacy(bytes, output, error);
     case Format::Glb:
       return CheckGlb(bytes, error) && ReadGltf(path, output, error);
     case Format::Gltf:

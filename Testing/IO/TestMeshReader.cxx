@@ -48,12 +48,14 @@ std::uint64_t CountTriangles(vtkPolyData* mesh)
   return vtkMTPolyDataStream(mesh).GetNumberOfTriangles();
 }
 
-void WriteLegacy(vtkPolyData* mesh, const std::string& path, bool binary)
+void WriteLegacy(
+  vtkPolyData* mesh, const std::string& path, bool binary, int version = vtkDataWriter::VTK_LEGACY_READER_VERSION_5_1)
 {
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetInputData(mesh);
   writer->SetFileName(path.c_str());
   binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+  writer->SetFileVersion(version);
   EXPECT_EQ(writer->Write(), 1);
 }
 
@@ -425,15 +427,21 @@ TEST(MeshReader, CutFilesOfVtksFormatsAreNeverTakenForWhole)
   WriteVtp(mesh, folder / "text.vtp", vtkXMLWriter::Ascii);
   WriteLegacy(mesh, folder / "binary.vtk", true);
   WriteLegacy(mesh, folder / "text.vtk", false);
+  WriteLegacy(mesh, folder / "old-binary.vtk", true, vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2);
+  WriteLegacy(mesh, folder / "old-text.vtk", false, vtkDataWriter::VTK_LEGACY_READER_VERSION_4_2);
   WriteFile(folder / "scene.glb", MakeGlb());
-  const std::uint64_t all = CountTriangles(mesh);
   for (const std::string& name : folder.List())
   {
     const Bytes good = ReadFile(folder / name);
+    const std::string text(good.begin(), good.end());
+    // The legacy format has no end and does not say how many arrays there are: a file that ends within or before an
+    // array's name cannot be told from a whole one.
+    const bool hasEnd = name.find(".vtk") == std::string::npos;
+    const std::size_t cells = hasEnd ? text.size() : text.find("_DATA");
     std::map<std::string, int> outcomes;
-    for (int i = 0; i < 40; ++i)
+    for (int i = 0; i < 60; ++i)
     {
-      const std::size_t length = good.size() * static_cast<std::size_t>(i) / 40;
+      const std::size_t length = good.size() * static_cast<std::size_t>(i) / 60;
       const std::string path = (folder / "cut-") + name;
       WriteFile(path, Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length)));
       const ChildResult result = RunInChild(
@@ -441,22 +449,17 @@ TEST(MeshReader, CutFilesOfVtksFormatsAreNeverTakenForWhole)
         {
           vtkNew<vtkPolyData> read;
           std::string error;
-          return !vtkMTMeshReader::Read(path, read, error) ? 0 : CountTriangles(read) == all ? 1 : 2;
+          return vtkMTMeshReader::Read(path, read, error) ? 1 : error.find(path) == 0 ? 0 : 2;
         });
-      ++outcomes[result.Crashed  ? "crashed"
-          : result.ExitCode == 0 ? "refused"
-          : result.ExitCode == 1 ? "read whole"
-                                 : "read in part"];
+      EXPECT_FALSE(result.Crashed) << name << " " << length;
+      EXPECT_NE(result.ExitCode, 2) << name << " " << length;
+      EXPECT_TRUE(result.ExitCode == 0 || length > cells) << name << " " << length;
+      ++outcomes[result.ExitCode == 0 ? "refused" : "taken for whole"];
       std::filesystem::remove(path);
     }
-    std::cout << name << ":";
-    for (const auto& outcome : outcomes)
-    {
-      std::cout << " " << outcome.second << " " << outcome.first;
-    }
-    std::cout << "\n";
-    EXPECT_EQ(outcomes["read in part"], 0) << name;
-    EXPECT_EQ(outcomes["crashed"], 0) << name;
+    std::cout << name << ": " << outcomes["refused"] << " refused, " << outcomes["taken for whole"]
+              << " taken for whole\n";
+    EXPECT_LE(outcomes["taken for whole"], hasEnd ? 0 : 3) << name;
   }
 }
 
