@@ -14,6 +14,12 @@
 
 #include <boost/optional.hpp>
 
+#include <type_traits>
+#include <utility>
+
+/// Members of CGAL's algorithm are private: they are specialised for the versions that they were written for only.
+#define vtkMT_CGAL_IS_KNOWN (CGAL_VERSION_NR >= 1050500000 && CGAL_VERSION_NR < 1050600000)
+
 namespace vtkMTCollapse
 {
 namespace SMS = CGAL::Surface_mesh_simplification;
@@ -65,7 +71,7 @@ struct Filter
   Place operator()(const Profile& profile, const Place& place) const
   {
     if (!place || this->R->MakesChord(profile.v0_v1(), this->R->GetRule(profile.v0_v1())) ||
-      this->R->TurnsTriangle(profile.v0_v1(), *place))
+      this->R->MakesDoubleEdge(profile.v0_v1()) || this->R->TurnsTriangle(profile.v0_v1(), *place))
     {
       return boost::none;
     }
@@ -105,6 +111,24 @@ struct Placement
     return rule == Region::Rule::Refused ? Place() : this->M->GetPlace(profile, rule);
   }
 };
+
+///@{
+/// CGAL's algorithm for a mode, as edge_collapse() instantiates it: for specialising members.
+template <class T>
+using Bare = std::remove_cv_t<std::remove_reference_t<T>>;
+template <class TraitsType>
+using Parameters = Bare<decltype(CGAL::parameters::geom_traits(std::declval<TraitsType&>()))>;
+template <class TraitsType>
+using VertexIndexMap = Bare<decltype(CGAL::get_initialized_vertex_index_map(
+  std::declval<Region::Mesh&>(), std::declval<const Parameters<TraitsType>&>()))>;
+template <class TraitsType>
+using HalfedgeIndexMap = Bare<decltype(CGAL::get_initialized_halfedge_index_map(
+  std::declval<Region::Mesh&>(), std::declval<const Parameters<TraitsType>&>()))>;
+using PointMap = Bare<decltype(CGAL::get_property_map(CGAL::vertex_point, std::declval<Region::Mesh&>()))>;
+template <class TraitsType, class Mode, class CostPolicy>
+using Algorithm = SMS::EdgeCollapse<Region::Mesh, TraitsType, Stop, VertexIndexMap<TraitsType>, PointMap,
+  HalfedgeIndexMap<TraitsType>, ConstrainedMap, CostPolicy, Placement<Mode>, Filter, Visitor, false>;
+///@}
 
 template <class TraitsType, class Mode, class CostPolicy>
 void Run(Region& region, const Mode& mode, const CostPolicy& cost)

@@ -124,11 +124,13 @@ void vtkMTCollapseRegion::LinkBorders(const vtkMTFanMesh& fans, const std::vecto
 void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges)
 {
   this->States.resize(fans.GetNumberOfVertices());
+  this->Marks.assign(fans.GetNumberOfVertices(), 0);
   for (std::uint32_t v = 0; v < fans.GetNumberOfVertices(); ++v)
   {
     this->States[v].Point = fans.Point[v];
     this->States[v].Lock = fans.Lock[v];
     this->States[v].Rank = fans.Lock[v] ? Kept : Plain;
+    this->Split = this->Split || (fans.Lock[v] & vtkMTFanMesh::NonManifold);
   }
   if (this->Seams)
   {
@@ -252,17 +254,60 @@ bool vtkMTCollapseRegion::MakesChord(Halfedge h, Rule rule) const
   {
     return false;
   }
-  // The third vertices of the edge's own triangles are neighbours of the kept one already.
+  // The third vertices of the edge's own triangles are neighbours of the kept one already; there the edge must not become
+  // a border because the removed triangle was the last one on its side.
+  const Mesh& m = this->Surface;
   const Halfedge left = this->GetNextOut(removed);
-  const Halfedge right = this->Surface.next(this->Surface.opposite(removed));
+  const Halfedge right = m.next(m.opposite(removed));
   for (Halfedge out = left; out != removed; out = this->GetNextOut(out))
   {
-    if ((out == left && !this->Surface.is_border(removed)) ||
-      (out == right && !this->Surface.is_border(this->Surface.opposite(removed))))
+    if (!this->GetState(m.target(out)).Lock)
     {
       continue;
     }
-    if (this->GetState(this->Surface.target(out)).Lock)
+    const bool ofLeft = out == left && !m.is_border(removed);
+    const bool ofRight = out == right && !m.is_border(m.opposite(removed));
+    if ((!ofLeft && !ofRight) || this->IsBorderEdge(out))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkMTCollapseRegion::MakesDoubleEdge(Halfedge h) const
+{
+  if (!this->Split)
+  {
+    return false;
+  }
+  // Before the collapse no free vertex is next to two fans of one point. Afterwards the kept vertex could be, with one fan
+  // next to either of the two, and so could a neighbour where the kept vertex is itself a fan.
+  const Mesh& m = this->Surface;
+  for (const Halfedge start : { h, m.opposite(h) })
+  {
+    const Vertex other = m.target(start);
+    const bool otherIsFan = (this->GetState(other).Lock & vtkMTFanMesh::NonManifold) != 0;
+    for (Halfedge out = this->GetNextOut(start); out != start; out = this->GetNextOut(out))
+    {
+      const Vertex v = m.target(out);
+      if (((this->GetState(v).Lock & vtkMTFanMesh::NonManifold) && this->IsNextToOtherFan(other, v)) ||
+        (otherIsFan && this->IsNextToOtherFan(v, other)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Whether v has a neighbour that is of fan's point but is not fan.
+bool vtkMTCollapseRegion::IsNextToOtherFan(Vertex v, Vertex fan) const
+{
+  const std::uint32_t point = this->GetState(fan).Point;
+  for (const Vertex w : CGAL::vertices_around_target(v, this->Surface))
+  {
+    if (w != fan && this->GetState(w).Point == point)
     {
       return true;
     }
@@ -487,20 +532,57 @@ void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
   }
 }
 
-// The link condition, and what CGAL asks for besides at borders and for closed pieces.
+void vtkMTCollapseRegion::MarkNeighbours(Vertex v) const
+{
+  if (++this->Mark == 0)
+  {
+    std::fill(this->Marks.begin(), this->Marks.end(), 0u);
+    this->Mark = 1;
+  }
+  const Halfedge begin = this->Surface.opposite(this->Surface.halfedge(v));
+  Halfedge h = begin;
+  do
+  {
+    this->Marks[this->Surface.target(h).idx()] = this->Mark;
+    h = this->GetNextOut(h);
+  } while (h != begin);
+}
+
 bool vtkMTCollapseRegion::SatisfiesLink(Halfedge h) const
 {
   const Mesh& m = this->Surface;
   const Halfedge o = m.opposite(h);
+  bool border = false;
+  int common = 0; // neighbours that both may have
   for (const Halfedge side : { h, o })
   {
-    if (!m.is_border(side) && m.is_border(m.opposite(m.next(side))) && m.is_border(m.opposite(m.prev(side))))
+    if (m.is_border(side))
+    {
+      border = true;
+      // A hole of three edges would close to a double edge.
+      if (m.next(m.next(m.next(side))) == side)
+      {
+        return false;
+      }
+      continue;
+    }
+    ++common;
+    if (m.is_border(m.opposite(m.next(side))) && m.is_border(m.opposite(m.prev(side))))
     {
       return false;
     }
   }
-  return CGAL::Euler::does_satisfy_link_condition(m.edge(h), m) && !CGAL::is_tetrahedron(h, m) &&
-    (this->IsBorderEdge(h) || !m.is_border(m.source(h)) || !m.is_border(m.target(h)));
+  this->MarkNeighbours(m.target(h));
+  bool border0 = false;
+  Halfedge out = h;
+  do
+  {
+    border0 = border0 || m.is_border(out);
+    common -= this->Marks[m.target(out).idx()] == this->Mark ? 1 : 0;
+    out = this->GetNextOut(out);
+  } while (out != h);
+  // The third vertices of the edge's triangles are always common.
+  return common == 0 && (border || !border0 || !m.is_border(m.target(h))) && !CGAL::is_tetrahedron(h, m);
 }
 
 void vtkMTCollapseRegion::CountBlocked(std::map<std::string, std::int64_t>& blocked) const
@@ -525,6 +607,10 @@ const char* vtkMTCollapseRegion::GetCause(Halfedge h) const
   if (this->MakesChord(h, rule))
   {
     return "chord";
+  }
+  if (this->MakesDoubleEdge(h))
+  {
+    return "non_manifold";
   }
   return this->Steps > this->StepLimit ? "steps" : "fold";
 }

@@ -88,6 +88,7 @@ public:
   std::vector<VertexState> States;        ///< [vertices]
   std::vector<unsigned char> Constrained; ///< [edges] 1 where both ends are locked: such an edge stays
   bool Seams = false;
+  bool Split = false; ///< whether any point has several fans
   std::size_t Faces = 0;
   std::size_t Target = 0;
   std::uint64_t Steps = 0;
@@ -132,11 +133,16 @@ public:
   bool KeepsFirst(Halfedge h, Rule rule, const Point& place) const;
 
   ///@{
-  /// Reasons to refuse a collapse: it would join two locked vertices by a new edge; it would turn a triangle by a right
+  /// Reasons to refuse a collapse: it would join two locked vertices by a new edge, or make one that they have a border; it would join one vertex to two fans of the
+  /// same point, which put together again would give an edge with four triangles; it would turn a triangle by a right
   /// angle or more. A triangle without area has no side and may turn.
   bool MakesChord(Halfedge h, Rule rule) const;
+  bool MakesDoubleEdge(Halfedge h) const;
   bool TurnsTriangle(Halfedge h, const Point& place) const;
   ///@}
+  /// Whether the mesh stays a manifold without twin triangles: the link condition, and what CGAL asks for besides at borders
+  /// and for closed pieces.
+  bool SatisfiesLink(Halfedge h) const;
   /// Whether two neighbouring triangles would lie back to back (within a degree) after the collapse.
   bool FoldsEdge(Halfedge h, const Point& place) const;
   /// Whether triangles p0 p1 p2 and p0 p2 p3 do not lie back to back.
@@ -170,9 +176,10 @@ private:
   unsigned char ComputeRank(Vertex v) const;
   Rule GetRuleOfRanks(Halfedge h, unsigned char r0, unsigned char r1) const;
   bool CanSlide(Halfedge h) const;
+  bool IsNextToOtherFan(Vertex v, Vertex fan) const;
   bool TurnsTriangleOf(Halfedge out, Halfedge end, const Point& place) const;
   bool FoldsAtLink(Halfedge h, Halfedge link, const Point& place) const;
-  bool SatisfiesLink(Halfedge h) const;
+  void MarkNeighbours(Vertex v) const;
   const char* GetCause(Halfedge h) const;
   const char* GetCauseOfRanks(Halfedge h) const;
   void SaveCorners(Halfedge h, bool keepsFirst);
@@ -187,6 +194,8 @@ private:
   std::vector<std::uint32_t> HalfedgeWedges; // [half-edges] when there are seams
   VertexState Surviving;
   std::vector<SavedCorner> Saved;
+  mutable std::vector<std::uint32_t> Marks; // [vertices] the neighbours of a vertex carry the present mark
+  mutable std::uint32_t Mark = 0;
 };
 
 #endif

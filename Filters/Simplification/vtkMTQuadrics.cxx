@@ -35,6 +35,7 @@ double vtkMTQuadrics::Quadric::Evaluate(const Point& p) const
 
 void vtkMTQuadrics::Initialize()
 {
+  this->SumOf = Region::Halfedge();
   const Region::Mesh& m = this->R.Surface;
   this->Planes.resize(m.num_faces());
   this->Quadrics.resize(m.num_vertices());
@@ -50,6 +51,7 @@ void vtkMTQuadrics::Initialize()
 
 void vtkMTQuadrics::Update(Region::Vertex kept)
 {
+  this->SumOf = Region::Halfedge();
   const Region::Mesh& m = this->R.Surface;
   const Region::Halfedge begin = m.opposite(m.halfedge(kept));
   Region::Halfedge h = begin;
@@ -132,20 +134,25 @@ void vtkMTQuadrics::AddCurvePlanes(Region::Vertex v, Quadric& q) const
   } while (h != begin);
 }
 
-vtkMTQuadrics::Quadric vtkMTQuadrics::GetSum(Region::Halfedge h) const
+const vtkMTQuadrics::Quadric& vtkMTQuadrics::GetSum(Region::Halfedge h) const
 {
-  Quadric q = this->Quadrics[this->R.Surface.source(h).idx()];
-  const Quadric& other = this->Quadrics[this->R.Surface.target(h).idx()];
+  if (h == this->SumOf)
+  {
+    return this->Sum;
+  }
+  this->SumOf = h;
+  const Quadric& a = this->Quadrics[this->R.Surface.source(h).idx()];
+  const Quadric& b = this->Quadrics[this->R.Surface.target(h).idx()];
   for (int i = 0; i < 6; ++i)
   {
-    q.A[i] += other.A[i];
+    this->Sum.A[i] = a.A[i] + b.A[i];
   }
   for (int i = 0; i < 3; ++i)
   {
-    q.B[i] += other.B[i];
+    this->Sum.B[i] = a.B[i] + b.B[i];
   }
-  q.C += other.C;
-  return q;
+  this->Sum.C = a.C + b.C;
+  return this->Sum;
 }
 
 vtkMTQuadrics::Point vtkMTQuadrics::GetPlace(Region::Halfedge h, Region::Rule rule) const
@@ -160,7 +167,7 @@ vtkMTQuadrics::Point vtkMTQuadrics::GetPlace(Region::Halfedge h, Region::Rule ru
       return p1;
     case Region::Rule::Ends:
     {
-      const Quadric q = this->GetSum(h);
+      const Quadric& q = this->GetSum(h);
       return q.Evaluate(p0) <= q.Evaluate(p1) ? p0 : p1;
     }
     default:
@@ -169,7 +176,8 @@ vtkMTQuadrics::Point vtkMTQuadrics::GetPlace(Region::Halfedge h, Region::Rule ru
   return this->R.Snap(Minimize(this->GetSum(h), CGAL::midpoint(p0, p1)));
 }
 
-// Solves (A + r I) y = -(A m + b) by cofactors and gives m + y.
+// Solves (A + r I) y = -(A m + b) by cofactors, then refines once against A itself, which squares what r takes away from directions that
+// A determines (corners stay corners to the last digit) and leaves the others at the midpoint m.
 vtkMTQuadrics::Point vtkMTQuadrics::Minimize(const Quadric& q, const Point& m)
 {
   const double r = Regularisation * q.GetTrace();
@@ -179,9 +187,6 @@ vtkMTQuadrics::Point vtkMTQuadrics::Minimize(const Quadric& q, const Point& m)
   const double d = q.A[3] + r;
   const double e = q.A[4];
   const double f = q.A[5] + r;
-  const double x = -(q.A[0] * m.x() + b * m.y() + c * m.z() + q.B[0]);
-  const double y = -(b * m.x() + q.A[3] * m.y() + e * m.z() + q.B[1]);
-  const double z = -(c * m.x() + e * m.y() + q.A[5] * m.z() + q.B[2]);
   const double c00 = d * f - e * e;
   const double c01 = c * e - b * f;
   const double c02 = b * e - c * d;
@@ -194,14 +199,21 @@ vtkMTQuadrics::Point vtkMTQuadrics::Minimize(const Quadric& q, const Point& m)
   const double c11 = a * f - c * c;
   const double c12 = b * c - a * e;
   const double c22 = a * d - b * b;
-  const Point p(m.x() + s * (c00 * x + c01 * y + c02 * z), m.y() + s * (c01 * x + c11 * y + c12 * z),
-    m.z() + s * (c02 * x + c12 * y + c22 * z));
+  Point p = m;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double x = -s * (q.A[0] * p.x() + b * p.y() + c * p.z() + q.B[0]);
+    const double y = -s * (b * p.x() + q.A[3] * p.y() + e * p.z() + q.B[1]);
+    const double z = -s * (c * p.x() + e * p.y() + q.A[5] * p.z() + q.B[2]);
+    p = Point(p.x() + (c00 * x + c01 * y + c02 * z), p.y() + (c01 * x + c11 * y + c12 * z),
+      p.z() + (c02 * x + c12 * y + c22 * z));
+  }
   return std::isfinite(p.x() + p.y() + p.z()) ? p : m;
 }
 
 double vtkMTQuadrics::GetCost(Region::Halfedge h, const Point& place) const
 {
-  const Quadric q = this->GetSum(h);
+  const Quadric& q = this->GetSum(h);
   const Point& p0 = this->R.GetPlace(this->R.Surface.source(h));
   const Point& p1 = this->R.GetPlace(this->R.Surface.target(h));
   const double trace = q.GetTrace();

@@ -57,12 +57,15 @@ private:
   void MakePlane(Region::Face f);
   void MakeQuadric(Region::Vertex v);
   void AddCurvePlanes(Region::Vertex v, Quadric& q) const;
-  Quadric GetSum(Region::Halfedge h) const;
+  const Quadric& GetSum(Region::Halfedge h) const;
   static Point Minimize(const Quadric& q, const Point& middle);
 
   const vtkMTCollapseRegion& R;
   std::vector<Plane> Planes;     // [faces]
   std::vector<Quadric> Quadrics; // [vertices]
+  // CGAL asks for the place of an edge and then for its cost: the sum is made once for both.
+  mutable Quadric Sum;
+  mutable Region::Halfedge SumOf;
 };
 
 #endif

@@ -14,9 +14,6 @@
 
 #include "vtkMTQuadricMode.h"
 
-#include <type_traits>
-#include <utility>
-
 namespace vtkMTCollapse
 {
 /// A traits type of its own, which makes all of the fast mode's types its own.
@@ -25,21 +22,10 @@ struct FastTraits : public Traits
 };
 }
 
-#if CGAL_VERSION_NR >= 1050500000 && CGAL_VERSION_NR < 1050600000
-#define vtkMT_RING_UPDATE
-
+#if vtkMT_CGAL_IS_KNOWN
 namespace vtkMTCollapse
 {
-template <class T>
-using Plain = std::remove_cv_t<std::remove_reference_t<T>>;
-using FastParameters = Plain<decltype(CGAL::parameters::geom_traits(std::declval<FastTraits&>()))>;
-using FastVertexIndexMap = Plain<decltype(CGAL::get_initialized_vertex_index_map(
-  std::declval<Region::Mesh&>(), std::declval<const FastParameters&>()))>;
-using FastHalfedgeIndexMap = Plain<decltype(CGAL::get_initialized_halfedge_index_map(
-  std::declval<Region::Mesh&>(), std::declval<const FastParameters&>()))>;
-using FastPointMap = Plain<decltype(CGAL::get_property_map(CGAL::vertex_point, std::declval<Region::Mesh&>()))>;
-using FastCollapse = SMS::EdgeCollapse<Region::Mesh, FastTraits, Stop, FastVertexIndexMap, FastPointMap,
-  FastHalfedgeIndexMap, ConstrainedMap, QuadricCost, Placement<QuadricMode>, Filter, Visitor, false>;
+using FastCollapse = Algorithm<FastTraits, QuadricMode, QuadricCost>;
 }
 
 namespace CGAL
@@ -49,7 +35,7 @@ namespace Surface_mesh_simplification
 /// What the loop and the project's policies ask of a profile. It has no link and no triangles, so the loop's stock
 /// members do not compile with it: the specialisations below cannot be passed by unnoticed.
 template <>
-class Edge_profile<vtkMTCollapse::Region::Mesh, vtkMTCollapse::FastPointMap, vtkMTCollapse::FastTraits>
+class Edge_profile<vtkMTCollapse::Region::Mesh, vtkMTCollapse::PointMap, vtkMTCollapse::FastTraits>
 {
 public:
   using Triangle_mesh = vtkMTCollapse::Region::Mesh;
@@ -60,7 +46,7 @@ public:
 
   template <class VertexIndexMap, class HalfedgeIndexMap>
   Edge_profile(halfedge_descriptor h, const Triangle_mesh& mesh, const vtkMTCollapse::FastTraits&, const VertexIndexMap&,
-    const vtkMTCollapse::FastPointMap&, const HalfedgeIndexMap&, bool)
+    const vtkMTCollapse::PointMap&, const HalfedgeIndexMap&, bool)
     : Mesh(mesh)
     , Forth(h)
     , Back(mesh.opposite(h))
@@ -135,12 +121,36 @@ inline void vtkMTCollapse::FastCollapse::update_neighbors(const vertex_descripto
   } while (around != begin);
 }
 
-/// The same test as CGAL's: no two neighbouring triangles back to back. It walks the half-edges instead of searching for them,
-/// and leaves out the bound on the ratio of areas, which forbids collapses beside slivers.
+/// The same test as CGAL's, with marks instead of a search around every neighbour. CGAL also keeps apart two vertices that both have
+/// constrained edges; here only locked vertices have these, and the edge between two of them is constrained itself.
+template <>
+inline bool vtkMTCollapse::FastCollapse::is_collapse_topologically_valid(const Profile& profile)
+{
+  return m_should_ignore.R->SatisfiesLink(profile.v0_v1());
+}
+
+/// The last word before a collapse. The cost by which the edge has come to the top of the queue may be out of date, since the
+/// quadric at its other end has changed with the ring; when it is now dearer than the next edge, it goes back into the
+/// queue with its true cost. So stale costs that are too low do no harm, at the price of one more look at a few edges. Otherwise the
+/// same test as CGAL's, that no two neighbouring triangles come to lie back to back; it walks the half-edges instead of searching for
+/// them, and leaves out the bound on the ratio of areas, which forbids collapses beside slivers.
 template <>
 inline bool vtkMTCollapse::FastCollapse::is_collapse_geometrically_valid(const Profile& profile, Placement_type place)
 {
-  return place && !m_should_ignore.R->FoldsEdge(profile.v0_v1(), *place);
+  if (!place)
+  {
+    return false;
+  }
+  const halfedge_descriptor h = primary_edge(profile.v0_v1());
+  Edge_data& data = get_data(h);
+  const Cost_type now = m_get_cost(profile, place);
+  if (now > data.cost() && !mPQ->empty() && now > get_data(mPQ->top()).cost())
+  {
+    data.cost() = now;
+    insert_in_PQ(h, data);
+    return false;
+  }
+  return !m_should_ignore.R->FoldsEdge(profile.v0_v1(), *place);
 }
 }
 }

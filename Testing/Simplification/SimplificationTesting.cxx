@@ -109,9 +109,14 @@ double Noise(double x, double y, double z)
 //------------------------------------------------------------------------------
 vtkMTPatch MakeFractalCap(int subdivisions, std::size_t triangles, int direction)
 {
-  std::vector<Place> places;
-  std::vector<Corners> all;
-  MTTestMeshes::MakeIcosphere(subdivisions, places, all);
+  static std::map<int, std::pair<std::vector<Place>, std::vector<Corners>>> spheres;
+  auto& sphere = spheres[subdivisions];
+  const std::vector<Place>& places = sphere.first;
+  const std::vector<Corners>& all = sphere.second;
+  if (all.empty())
+  {
+    MTTestMeshes::MakeIcosphere(subdivisions, sphere.first, sphere.second);
+  }
   const Place axis = { std::cos(1.7 * direction), std::sin(1.7 * direction) * 0.8, std::sin(2.3 * direction) };
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t t = 0; t < all.size(); ++t)
@@ -277,11 +282,11 @@ std::size_t CountFlatTriangles(const vtkMTPatch& mesh)
 }
 
 //------------------------------------------------------------------------------
-Run Simplify(const vtkMTPatch& floor, const Locks& locked, std::size_t target, int mode)
+Outcome Simplify(const vtkMTPatch& floor, const Locks& locked, std::size_t target, int mode)
 {
   vtkNew<vtkMTEdgeCollapse> simplifier;
   simplifier->SetMode(mode);
-  Run run;
+  Outcome run;
   run.Ok = simplifier->Simplify(floor, locked, target, run.Result, run.Error);
   return run;
 }
@@ -459,7 +464,9 @@ std::string FindFault(const vtkMTPatch& floor, const Locks& locked, const vtkMTS
     }
     if (e.second != 1 || back > 1)
     {
-      return "an edge with more than two triangles, or two of the same direction";
+      return "edge " + std::to_string(edge.first) + " -> " + std::to_string(edge.second) + " has " +
+        std::to_string(e.second) + " triangles, and " + std::to_string(back) + " the other way; in the floor " +
+        std::to_string(count(before, edge)) + " and " + std::to_string(count(before, { edge.second, edge.first }));
     }
   }
   return "";

@@ -58,13 +58,13 @@ std::size_t CountComponents(const vtkMTPatch& mesh);
 /// Triangles whose corners are on one line.
 std::size_t CountFlatTriangles(const vtkMTPatch& mesh);
 
-struct Run
+struct Outcome
 {
   bool Ok = false;
   std::string Error;
   vtkMTSimplification Result;
 };
-Run Simplify(const vtkMTPatch& floor, const Locks& locked, std::size_t target, int mode = vtkMTEdgeCollapse::FAST);
+Outcome Simplify(const vtkMTPatch& floor, const Locks& locked, std::size_t target, int mode = vtkMTEdgeCollapse::FAST);
 
 /**
  * Everything that must hold whatever the floor: indices in range, wedges belong to their points, origins all different, locked

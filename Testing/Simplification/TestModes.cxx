@@ -28,7 +28,7 @@ std::array<Figures, 4> CompareModes(int subdivisions, std::size_t triangles)
     for (const int mode : AllModes)
     {
       double best = 1e30;
-      Run run;
+      Outcome run;
       for (int repeat = 0; repeat < 3; ++repeat)
       {
         const double start = GetThreadSeconds();
