@@ -10,16 +10,16 @@ Importing the package loads the VTK modules that the classes build on, and regis
 import importlib
 import pkgutil
 
-import vtkmodules.vtkCommonExecutionModel  # noqa: F401  VTK's own wrapping must be loaded before ours
+from vtkmodules.vtkCommonCore import vtkObjectBase
 
 __all__ = []
 
 
 def _export(module):
-    """Takes the classes of one wrapped module into the package."""
-    for name in dir(module):
-        if name.startswith("vtkM"):
-            globals()[name] = getattr(module, name)
+    """Takes the VTK classes of one wrapped module into the package."""
+    for name, value in vars(module).items():
+        if isinstance(value, type) and issubclass(value, vtkObjectBase):
+            globals()[name] = value
             __all__.append(name)
 
 
@@ -31,4 +31,4 @@ for _entry in sorted(pkgutil.iter_modules(__path__), key=lambda entry: entry.nam
             import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
         _export(importlib.import_module(f"{__name__}.{_entry.name}"))
 
-__all__ = sorted(set(__all__))
+__all__.sort()

@@ -44,8 +44,8 @@ def main(readme):
         os.chdir("/")
     model = scope["builder"].GetOutput()
     print(f"{model.GetNumberOfFinestTriangles()} triangles, {model.GetNumberOfPatches()} patches, {lit} of {number} pixels lit")
-    # The default camera shows the whole sphere, which covers between a fifth and nine tenths of a square window.
-    return 0 if model.GetNumberOfPatches() > 1 and 0.2 * number < lit < 0.9 * number else 1
+    # The default camera shows the whole sphere, which covers between a tenth and nine tenths of the window.
+    return 0 if model.GetNumberOfPatches() > 1 and 0.1 * number < lit < 0.9 * number else 1
 
 
 if __name__ == "__main__":
