@@ -2,169 +2,14 @@
 #include "vtkMTFileDag.h"
 
 #include "vtkMTByteSource.h"
-
-#include "vtkType.h"
+#include "vtkMTFileMetadata.h"
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace
 {
 using namespace vtkMTFileFormat;
-
-//------------------------------------------------------------------------------
-// Strings and maps
-class MetadataWriter
-{
-public:
-  template <typename Number>
-  void Put(Number value)
-  {
-    const unsigned char* from = reinterpret_cast<const unsigned char*>(&value);
-    this->Bytes.insert(this->Bytes.end(), from, from + sizeof(value));
-  }
-  void Put(const std::string& text)
-  {
-    this->Put(static_cast<std::uint32_t>(text.size()));
-    this->Bytes.insert(this->Bytes.end(), text.begin(), text.end());
-  }
-  template <typename Value>
-  void Put(const std::map<std::string, Value>& map)
-  {
-    this->Put(static_cast<std::uint32_t>(map.size()));
-    for (const auto& entry : map)
-    {
-      this->Put(entry.first);
-      this->Put(entry.second);
-    }
-  }
-  void Put(const vtkMTArrayInfo& array)
-  {
-    this->Put(array.Name);
-    this->Put(static_cast<std::int32_t>(array.Type));
-    this->Put(static_cast<std::int32_t>(array.Components));
-    this->Put(static_cast<std::int32_t>(array.Attribute));
-    this->Put(static_cast<std::uint32_t>(array.GetTupleSize()));
-    this->Put(static_cast<std::uint8_t>(array.Association));
-    this->Put(static_cast<std::uint8_t>(array.Resampling));
-    this->Put(static_cast<std::uint8_t>(array.Role));
-    this->Put(static_cast<std::uint8_t>(0));
-    this->Put(static_cast<std::uint32_t>(array.ComponentNames.size()));
-    for (const std::string& name : array.ComponentNames)
-    {
-      this->Put(name);
-    }
-  }
-
-  std::vector<unsigned char> Bytes;
-};
-
-class MetadataReader
-{
-public:
-  MetadataReader(const unsigned char* data, std::uint64_t size)
-    : Next(data)
-    , Left(size)
-  {
-  }
-
-  template <typename Number>
-  bool Get(Number& value)
-  {
-    if (this->Left < sizeof(value))
-    {
-      return false;
-    }
-    std::memcpy(&value, this->Next, sizeof(value));
-    this->Next += sizeof(value);
-    this->Left -= sizeof(value);
-    return true;
-  }
-  bool Get(std::string& text)
-  {
-    std::uint32_t size = 0;
-    if (!this->Get(size) || size > this->Left)
-    {
-      return false;
-    }
-    text.assign(reinterpret_cast<const char*>(this->Next), size);
-    this->Next += size;
-    this->Left -= size;
-    return true;
-  }
-  template <typename Value>
-  bool Get(std::map<std::string, Value>& map)
-  {
-    std::uint32_t count = 0;
-    if (!this->Get(count))
-    {
-      return false;
-    }
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      std::string key;
-      Value value{};
-      if (!this->Get(key) || !this->Get(value) || !map.emplace(std::move(key), std::move(value)).second)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-  bool Get(vtkMTArrayInfo& array)
-  {
-    std::int32_t type = 0;
-    std::int32_t components = 0;
-    std::int32_t attribute = 0;
-    std::uint32_t tupleSize = 0;
-    std::uint8_t kinds[4];
-    std::uint32_t names = 0;
-    if (!this->Get(array.Name) || !this->Get(type) || !this->Get(components) || !this->Get(attribute) ||
-      !this->Get(tupleSize) || !this->Get(kinds) || !this->Get(names) || components < 1 ||
-      kinds[0] > vtkMTArrayInfo::Cell || kinds[1] > vtkMTArrayInfo::Direction ||
-      kinds[2] > vtkMTArrayInfo::MadeNormals || kinds[3] != 0 ||
-      (names != 0 && names != static_cast<std::uint32_t>(components)))
-    {
-      return false;
-    }
-    array.Type = type;
-    array.Components = components;
-    array.Attribute = attribute;
-    array.Association = static_cast<vtkMTArrayInfo::AssociationType>(kinds[0]);
-    array.Resampling = static_cast<vtkMTArrayInfo::ResamplingType>(kinds[1]);
-    array.Role = static_cast<vtkMTArrayInfo::RoleType>(kinds[2]);
-    for (std::uint32_t i = 0; i < names; ++i)
-    {
-      array.ComponentNames.emplace_back();
-      if (!this->Get(array.ComponentNames.back()))
-      {
-        return false;
-      }
-    }
-    // A type whose size is another one here (long) cannot be read on this machine.
-    return tupleSize > 0 && array.GetTupleSize() == tupleSize;
-  }
-  bool IsAtEnd() const { return this->Left == 0; }
-
-private:
-  const unsigned char* Next;
-  std::uint64_t Left;
-};
-
-bool DecodeMetadata(const unsigned char* data, std::uint64_t size, std::uint32_t arrays, vtkMTGraph& graph)
-{
-  MetadataReader reader(data, size);
-  for (std::uint32_t i = 0; i < arrays; ++i)
-  {
-    graph.Arrays.emplace_back();
-    if (!reader.Get(graph.Arrays.back()))
-    {
-      return false;
-    }
-  }
-  return reader.Get(graph.Settings) && reader.Get(graph.InputReport) && reader.Get(graph.Blocked) && reader.IsAtEnd();
-}
 
 //------------------------------------------------------------------------------
 // Where things lie
@@ -385,7 +230,7 @@ bool DecodeBlock(const std::vector<unsigned char>& block, const Header& header, 
   std::vector<SectionRecord>& directory, std::string& error)
 {
   const auto at = [&block](std::uint64_t offset) { return block.data() + (offset - sizeof(Header)); };
-  if (!DecodeMetadata(at(header.MetadataOffset), header.MetadataSize, header.ArrayCount, graph))
+  if (!vtkMTFileMetadata::Decode(at(header.MetadataOffset), header.MetadataSize, header.ArrayCount, graph))
   {
     error = "its metadata are impossible";
     return false;
@@ -447,15 +292,7 @@ bool Check(const vtkMTGraph& graph, std::string& error)
 
 void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std::vector<unsigned char>& bytes)
 {
-  MetadataWriter metadata;
-  for (const vtkMTArrayInfo& array : graph.Arrays)
-  {
-    metadata.Put(array);
-  }
-  metadata.Put(graph.Settings);
-  metadata.Put(graph.InputReport);
-  metadata.Put(graph.Blocked);
-
+  const std::vector<unsigned char> metadata = vtkMTFileMetadata::Encode(graph);
   Header header{};
   std::memcpy(header.Magic, Magic, sizeof(Magic));
   header.Version = vtkMTFileFormat::Version;
@@ -463,7 +300,7 @@ void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std:
   header.NodeCount = static_cast<std::uint32_t>(graph.Nodes.size());
   header.ArcCount = static_cast<std::uint32_t>(graph.Arcs.size());
   header.ArrayCount = static_cast<std::uint32_t>(graph.Arrays.size());
-  header.MetadataSize = metadata.Bytes.size();
+  header.MetadataSize = metadata.size();
   const Layout layout(header.NodeCount, header.ArcCount, header.ArrayCount, header.MetadataSize);
   header.NodeOffset = layout.NodeOffset;
   header.ArcOffset = layout.ArcOffset;
@@ -492,7 +329,7 @@ void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std:
   {
     std::memcpy(bytes.data() + header.DirectoryOffset, directory.data(), directory.size() * sizeof(SectionRecord));
   }
-  std::memcpy(bytes.data() + header.MetadataOffset, metadata.Bytes.data(), metadata.Bytes.size());
+  std::memcpy(bytes.data() + header.MetadataOffset, metadata.data(), metadata.size());
   header.DagChecksum = Checksum(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
   header.HeaderChecksum = Checksum(&header, offsetof(Header, HeaderChecksum));
   std::memcpy(bytes.data(), &header, sizeof(Header));

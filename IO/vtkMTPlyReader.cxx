@@ -2,6 +2,7 @@
 #include "vtkMTPlyReader.h"
 
 #include "vtkMTFileByteSource.h"
+#include "vtkMTPlyColumns.h"
 #include "vtkMTPlyRows.h"
 #include "vtkMTWedgeSplitter.h"
 
@@ -22,143 +23,6 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
-// Where the values of one property that is no list go.
-struct Target
-{
-  unsigned char* Values = nullptr; // of the first row; nullptr: nowhere
-  std::size_t Stride = 0;
-  int Type = 0;
-
-  void Store(std::uint64_t row, double value) const
-  {
-    unsigned char* to = this->Values + row * this->Stride;
-    switch (this->Type)
-    {
-      case VTK_SIGNED_CHAR:
-        return this->StoreAs(to, static_cast<std::int8_t>(value));
-      case VTK_UNSIGNED_CHAR:
-        return this->StoreAs(to, static_cast<std::uint8_t>(value));
-      case VTK_SHORT:
-        return this->StoreAs(to, static_cast<std::int16_t>(value));
-      case VTK_UNSIGNED_SHORT:
-        return this->StoreAs(to, static_cast<std::uint16_t>(value));
-      case VTK_INT:
-        return this->StoreAs(to, static_cast<std::int32_t>(value));
-      case VTK_UNSIGNED_INT:
-        return this->StoreAs(to, static_cast<std::uint32_t>(value));
-      case VTK_FLOAT:
-        return this->StoreAs(to, static_cast<float>(value));
-      default:
-        return this->StoreAs(to, value);
-    }
-  }
-
-  template <typename Number>
-  void StoreAs(unsigned char* to, Number value) const
-  {
-    std::memcpy(to, &value, sizeof(value));
-  }
-};
-
-//------------------------------------------------------------------------------
-// The arrays of one element and, for each of its properties, where the values go.
-class Columns
-{
-public:
-  explicit Columns(const vtkMTPlyElement& element)
-    : Element(element)
-    , Targets(element.Properties.size())
-  {
-  }
-
-  // An array of these properties, if the element has them all, no list among them, and not yet in an array.
-  vtkSmartPointer<vtkDataArray> Group(const std::vector<std::string>& properties, const char* name, int type)
-  {
-    std::vector<std::size_t> places;
-    for (const std::string& property : properties)
-    {
-      const vtkMTPlyProperty* found = this->Element.Find(property);
-      if (!found || found->IsList() || this->Targets[this->IndexOf(found)].Values)
-      {
-        return nullptr;
-      }
-      places.push_back(this->IndexOf(found));
-    }
-    auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-    array->SetName(name);
-    array->SetNumberOfComponents(static_cast<int>(properties.size()));
-    // At least one tuple, so that there is an address.
-    array->Allocate(static_cast<vtkIdType>((this->Element.Count + 1) * properties.size()));
-    array->SetNumberOfTuples(static_cast<vtkIdType>(this->Element.Count));
-    const std::size_t size = vtkMTPlyHeader::GetSize(type);
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      unsigned char* first = static_cast<unsigned char*>(array->GetVoidPointer(0));
-      this->Targets[places[i]] = { first + i * size, properties.size() * size, type };
-    }
-    return array;
-  }
-
-  // The type of a property; float where any of them is shorter than that.
-  int WiderType(const std::vector<std::string>& properties) const
-  {
-    int type = VTK_FLOAT;
-    for (const std::string& property : properties)
-    {
-      const vtkMTPlyProperty* found = this->Element.Find(property);
-      const bool isWide =
-        found && (found->Type == VTK_DOUBLE || found->Type == VTK_INT || found->Type == VTK_UNSIGNED_INT);
-      type = isWide ? VTK_DOUBLE : type;
-    }
-    return type;
-  }
-
-  void AddColors(vtkDataSetAttributes* attributes)
-  {
-    const vtkMTPlyProperty* found[4] = { this->Element.Find("red"), this->Element.Find("green"),
-      this->Element.Find("blue"), this->Element.Find("alpha") };
-    const auto isByte = [](const vtkMTPlyProperty* property)
-    { return property && !property->IsList() && property->Type == VTK_UNSIGNED_CHAR; };
-    if (!isByte(found[0]) || !isByte(found[1]) || !isByte(found[2]))
-    {
-      return;
-    }
-    attributes->SetScalars(isByte(found[3])
-        ? this->Group({ "red", "green", "blue", "alpha" }, "RGBA", VTK_UNSIGNED_CHAR)
-        : this->Group({ "red", "green", "blue" }, "RGB", VTK_UNSIGNED_CHAR));
-  }
-
-  void AddOthers(vtkDataSetAttributes* attributes)
-  {
-    for (std::size_t i = 0; i < this->Targets.size(); ++i)
-    {
-      const vtkMTPlyProperty& property = this->Element.Properties[i];
-      if (!property.IsList() && !this->Targets[i].Values)
-      {
-        // AddArray would replace, and free, an array of the same name whose values are still to come.
-        std::string name = property.Name;
-        while (attributes->HasArray(name.c_str()))
-        {
-          name += "_";
-        }
-        attributes->AddArray(this->Group({ property.Name }, name.c_str(), property.Type));
-      }
-    }
-  }
-
-  const Target& GetTarget(std::size_t property) const { return this->Targets[property]; }
-
-private:
-  std::size_t IndexOf(const vtkMTPlyProperty* property) const
-  {
-    return static_cast<std::size_t>(property - this->Element.Properties.data());
-  }
-
-  const vtkMTPlyElement& Element;
-  std::vector<Target> Targets;
-};
-
 //------------------------------------------------------------------------------
 // Reads the elements one after the other into a polydata.
 class Reader
@@ -274,15 +138,15 @@ bool Reader::SkipRows(const vtkMTPlyElement& element)
 
 bool Reader::ReadVertices(const vtkMTPlyElement& element)
 {
-  Columns columns(element);
+  vtkMTPlyColumns columns(element);
   const std::vector<std::string> place = { "x", "y", "z" };
-  const int type = columns.WiderType(place);
+  const int type = columns.FindRealType(place);
   vtkNew<vtkPoints> points;
   points->SetData(columns.Group(place, "Points", type));
   this->Output->SetPoints(points);
   vtkPointData* attributes = this->Output->GetPointData();
   const std::vector<std::string> normal = { "nx", "ny", "nz" };
-  attributes->SetNormals(columns.Group(normal, "Normals", columns.WiderType(normal)));
+  attributes->SetNormals(columns.Group(normal, "Normals", columns.FindRealType(normal)));
   columns.AddColors(attributes);
   const std::vector<std::vector<std::string>> pairs = { { "s", "t" }, { "u", "v" }, { "texture_u", "texture_v" },
     { "texture_s", "texture_t" } };
@@ -290,7 +154,7 @@ bool Reader::ReadVertices(const vtkMTPlyElement& element)
   {
     if (!attributes->GetTCoords())
     {
-      attributes->SetTCoords(columns.Group(pair, "TCoords", columns.WiderType(pair)));
+      attributes->SetTCoords(columns.Group(pair, "TCoords", columns.FindRealType(pair)));
     }
   }
   columns.AddOthers(attributes);
@@ -310,7 +174,7 @@ bool Reader::ReadVertices(const vtkMTPlyElement& element)
       }
       if (!property.IsList())
       {
-        columns.GetTarget(i).Store(row, value);
+        columns.Store(i, row, value);
       }
     }
     if (!this->Rows.EndRow())
@@ -368,7 +232,7 @@ bool Reader::ReadTextureCoordinates(const vtkMTPlyProperty& property)
 
 bool Reader::ReadFaces(const vtkMTPlyElement& element)
 {
-  Columns columns(element);
+  vtkMTPlyColumns columns(element);
   vtkCellData* attributes = this->Output->GetCellData();
   columns.AddColors(attributes);
   columns.AddOthers(attributes);
@@ -397,7 +261,7 @@ bool Reader::ReadFaces(const vtkMTPlyElement& element)
       }
       if (!property.IsList())
       {
-        columns.GetTarget(i).Store(row, value);
+        columns.Store(i, row, value);
       }
     }
     const std::size_t wanted = 2 * this->FaceCorners.size();

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPlyColumns.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkType.h"
+
+#include <cstring>
+
+namespace
+{
+template <typename Number>
+void StoreAs(unsigned char* to, double value)
+{
+  const Number number = static_cast<Number>(value);
+  std::memcpy(to, &number, sizeof(number));
+}
+
+bool IsByte(const vtkMTPlyProperty* property)
+{
+  return property && !property->IsList() && property->Type == VTK_UNSIGNED_CHAR;
+}
+}
+
+vtkMTPlyColumns::vtkMTPlyColumns(const vtkMTPlyElement& element)
+  : Element(element)
+  , Targets(element.Properties.size())
+{
+}
+
+vtkSmartPointer<vtkDataArray> vtkMTPlyColumns::Group(
+  const std::vector<std::string>& properties, const char* name, int type)
+{
+  std::vector<std::size_t> places;
+  for (const std::string& property : properties)
+  {
+    const vtkMTPlyProperty* found = this->Element.Find(property);
+    if (!found || found->IsList() || this->Targets[this->IndexOf(found)].Values)
+    {
+      return nullptr;
+    }
+    places.push_back(this->IndexOf(found));
+  }
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(properties.size()));
+  // Room for a row more than there are, so that there is an address even for none.
+  array->Allocate(static_cast<vtkIdType>((this->Element.Count + 1) * properties.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(this->Element.Count));
+  const std::size_t size = vtkMTPlyHeader::GetSize(type);
+  unsigned char* first = static_cast<unsigned char*>(array->GetVoidPointer(0));
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    this->Targets[places[i]] = { first + i * size, properties.size() * size, type };
+  }
+  return array;
+}
+
+int vtkMTPlyColumns::FindRealType(const std::vector<std::string>& properties) const
+{
+  int type = VTK_FLOAT;
+  for (const std::string& property : properties)
+  {
+    const vtkMTPlyProperty* found = this->Element.Find(property);
+    const bool isWide =
+      found && (found->Type == VTK_DOUBLE || found->Type == VTK_INT || found->Type == VTK_UNSIGNED_INT);
+    type = isWide ? VTK_DOUBLE : type;
+  }
+  return type;
+}
+
+void vtkMTPlyColumns::AddColors(vtkDataSetAttributes* attributes)
+{
+  if (IsByte(this->Element.Find("red")) && IsByte(this->Element.Find("green")) && IsByte(this->Element.Find("blue")))
+  {
+    attributes->SetScalars(IsByte(this->Element.Find("alpha"))
+        ? this->Group({ "red", "green", "blue", "alpha" }, "RGBA", VTK_UNSIGNED_CHAR)
+        : this->Group({ "red", "green", "blue" }, "RGB", VTK_UNSIGNED_CHAR));
+  }
+}
+
+void vtkMTPlyColumns::AddOthers(vtkDataSetAttributes* attributes)
+{
+  for (std::size_t i = 0; i < this->Targets.size(); ++i)
+  {
+    const vtkMTPlyProperty& property = this->Element.Properties[i];
+    if (property.IsList() || this->Targets[i].Values)
+    {
+      continue;
+    }
+    // AddArray would replace, and free, an array of the same name whose values are still to come.
+    std::string name = property.Name;
+    while (attributes->HasArray(name.c_str()))
+    {
+      name += "_";
+    }
+    attributes->AddArray(this->Group({ property.Name }, name.c_str(), property.Type));
+  }
+}
+
+void vtkMTPlyColumns::Store(std::size_t property, std::uint64_t row, double value)
+{
+  const Target& target = this->Targets[property];
+  unsigned char* to = target.Values + row * target.Stride;
+  switch (target.Type)
+  {
+    case VTK_SIGNED_CHAR:
+      return StoreAs<std::int8_t>(to, value);
+    case VTK_UNSIGNED_CHAR:
+      return StoreAs<std::uint8_t>(to, value);
+    case VTK_SHORT:
+      return StoreAs<std::int16_t>(to, value);
+    case VTK_UNSIGNED_SHORT:
+      return StoreAs<std::uint16_t>(to, value);
+    case VTK_INT:
+      return StoreAs<std::int32_t>(to, value);
+    case VTK_UNSIGNED_INT:
+      return StoreAs<std::uint32_t>(to, value);
+    case VTK_FLOAT:
+      return StoreAs<float>(to, value);
+    default:
+      return StoreAs<double>(to, value);
+  }
+}
