@@ -35,8 +35,12 @@ struct ArcBounds
     this->Radius = std::sqrt(square) * (1.0 + 1e-12);
   }
 
-  bool IsVisible(const vtkMTView& view) const { return view.IsBoxVisible(this->Box); }
+  bool IsVisible(const vtkMTView& view) const
+  {
+    return view.IsSphereVisible(this->Center, this->Radius) && view.IsBoxVisible(this->Box);
+  }
 
+  /// Of the box that reaches farther by that much on every side.
   bool IsVisibleGrown(const vtkMTView& view, double by) const
   {
     double grown[6];
@@ -45,7 +49,7 @@ struct ArcBounds
       grown[2 * i] = this->Box[2 * i] - by;
       grown[2 * i + 1] = this->Box[2 * i + 1] + by;
     }
-    return view.IsBoxVisible(grown);
+    return view.IsSphereVisible(this->Center, this->Radius + 2.0 * by) && view.IsBoxVisible(grown);
   }
 };
 
@@ -59,13 +63,15 @@ double ChosenError(const vtkMTNode& node, vtkMTExtraction::ErrorChoiceType choic
 // as much as its graph.
 struct vtkMTExtraction::Scratch
 {
-  enum : unsigned char
+  struct ArcView
   {
-    Unknown = 0,
-    Drawn = 1,
-    Culled = 2
+    bool Drawn = true;
+    double Wanted = NotWanted; // the error that refining the arc's node would remedy
+    double Certified = 0.0;    // pixels
   };
-  std::vector<unsigned char> Arcs;
+
+  std::vector<ArcView> Views;
+  std::vector<std::uint32_t> ViewOfArc; // 1 + index in Views; 0 while nobody has looked
   std::vector<std::uint32_t> TouchedArcs;
   std::vector<unsigned char> Marks; // nodes of the closure at hand; all zero between uses
   std::vector<double> Wanted;       // per node, the error with which it was last put into the heap
@@ -75,15 +81,16 @@ struct vtkMTExtraction::Scratch
   {
     for (const std::uint32_t arc : this->TouchedArcs)
     {
-      this->Arcs[arc] = Unknown;
+      this->ViewOfArc[arc] = 0;
     }
     for (const std::uint32_t node : this->TouchedNodes)
     {
       this->Wanted[node] = NotWanted;
     }
+    this->Views.clear();
     this->TouchedArcs.clear();
     this->TouchedNodes.clear();
-    this->Arcs.resize(graph.Arcs.size(), Unknown);
+    this->ViewOfArc.resize(graph.Arcs.size(), 0);
     this->Marks.resize(graph.Nodes.size(), 0);
     this->Wanted.resize(graph.Nodes.size(), NotWanted);
   }
@@ -155,35 +162,45 @@ private:
     return this->Options.TriangleBudget == 0 || triangles <= this->Options.TriangleBudget;
   }
 
-  bool IsDrawn(std::uint32_t arc)
+  const Scratch::ArcView& Look(std::uint32_t arc)
   {
-    unsigned char& state = this->Memory.Arcs[arc];
-    if (state == Scratch::Unknown)
+    std::uint32_t& known = this->Memory.ViewOfArc[arc];
+    if (known == 0)
     {
-      const bool culled = this->Eye && this->Options.FrustumCulling &&
-        !ArcBounds(this->Graph, this->Graph.Arcs[arc]).IsVisible(*this->Eye);
-      state = culled ? Scratch::Culled : Scratch::Drawn;
       this->Memory.TouchedArcs.push_back(arc);
+      this->Memory.Views.push_back(this->MakeView(this->Graph.Arcs[arc]));
+      known = static_cast<std::uint32_t>(this->Memory.Views.size());
     }
-    return state == Scratch::Drawn;
+    return this->Memory.Views[known - 1];
   }
 
-  bool IsResident(std::uint32_t arc) const { return !this->Resident || (*this->Resident)[arc] != 0; }
-
-  /// The error that refining the arc's node would remedy.
-  double GetWantedError(std::uint32_t arc) const
+  Scratch::ArcView MakeView(const vtkMTArc& arc) const
   {
-    const vtkMTArc& record = this->Graph.Arcs[arc];
-    const vtkMTNode& node = this->Graph.Nodes[record.To];
+    Scratch::ArcView view;
+    const vtkMTNode& node = this->Graph.Nodes[arc.To];
     const double error = ChosenError(node, this->Options.ErrorChoice);
     if (!this->Eye)
     {
-      return error;
+      view.Wanted = error;
+      return view;
     }
-    const ArcBounds bounds(this->Graph, record);
-    return bounds.IsVisibleGrown(*this->Eye, node.Error) ? this->Eye->GetPixelError(bounds.Center, bounds.Radius, error)
-                                                         : NotWanted;
+    const ArcBounds bounds(this->Graph, arc);
+    const bool visible = bounds.IsVisible(*this->Eye);
+    view.Drawn = visible || !this->Options.FrustumCulling;
+    // What the patch stands for may reach into the frustum where the patch itself does not.
+    if (visible || bounds.IsVisibleGrown(*this->Eye, node.Error))
+    {
+      view.Certified = this->Eye->GetPixelError(bounds.Center, bounds.Radius, node.Error);
+      view.Wanted = this->Options.ErrorChoice == Distance
+        ? view.Certified
+        : this->Eye->GetPixelError(bounds.Center, bounds.Radius, error);
+    }
+    return view;
   }
+
+  bool IsDrawn(std::uint32_t arc) { return this->Look(arc).Drawn; }
+
+  bool IsResident(std::uint32_t arc) const { return !this->Resident || (*this->Resident)[arc] != 0; }
 
   void EnterLeaving(std::uint32_t node)
   {
@@ -205,7 +222,7 @@ private:
     {
       return;
     }
-    const double error = this->GetWantedError(arc);
+    const double error = this->Look(arc).Wanted;
     double& wanted = this->Memory.Wanted[record.To];
     if (error > this->Threshold && error > wanted)
     {
@@ -384,16 +401,8 @@ private:
     const vtkMTNode& node = this->Graph.Nodes[record.To];
     ++this->Out.ArcsInCut;
     this->Out.ModelError = std::max(this->Out.ModelError, node.Error);
-    if (this->Eye)
-    {
-      const ArcBounds bounds(this->Graph, record);
-      if (bounds.IsVisibleGrown(*this->Eye, node.Error))
-      {
-        this->Out.PixelError =
-          std::max(this->Out.PixelError, this->Eye->GetPixelError(bounds.Center, bounds.Radius, node.Error));
-      }
-    }
-    if (record.To != this->Graph.GetSink() && this->GetWantedError(arc) > this->Threshold)
+    this->Out.PixelError = std::max(this->Out.PixelError, this->Look(arc).Certified);
+    if (record.To != this->Graph.GetSink() && this->Look(arc).Wanted > this->Threshold)
     {
       this->Out.Converged = false;
     }
