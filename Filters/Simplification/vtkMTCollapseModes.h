@@ -8,7 +8,8 @@ class vtkMTCollapseRegion;
 namespace vtkMTCollapse
 {
 ///@{
-/// One pass of a mode, until the target is reached or nothing is left to collapse. Throws vtkMTCollapseRegion::StepLimitReached.
+/// One pass of a mode, until the target is reached or nothing is left to collapse. Throws
+/// vtkMTCollapseRegion::StepLimitReached.
 void RunFast(vtkMTCollapseRegion& region);
 void RunBest(vtkMTCollapseRegion& region);
 void RunLindstromTurk(vtkMTCollapseRegion& region);

@@ -2,7 +2,8 @@
 /**
  * @brief what CGAL's edge_collapse() is given: traits, constraints, filter, stop predicate and visitor over one region
  *
- * Run() is the one call of edge_collapse() for all modes. A mode is a class with GetPlace(profile, rule), and a cost policy.
+ * Run() is the one call of edge_collapse() for all modes. A mode is a class with GetPlace(profile, rule), and a cost
+ * policy.
  */
 #ifndef vtkMTCollapsePolicies_h
 #define vtkMTCollapsePolicies_h
@@ -28,8 +29,8 @@ using Point = Region::Point;
 using Place = boost::optional<Point>;
 using Cost = boost::optional<double>;
 
-/// CGAL collapses all edges between equal points first, past every predicate and filter. Here no two points are equal: such
-/// an edge is one of length zero, with a cost like any other.
+/// CGAL collapses all edges between equal points first, past every predicate and filter. Here no two points are equal:
+/// such an edge is one of length zero, with a cost like any other.
 struct NeverEqual
 {
   using result_type = bool;

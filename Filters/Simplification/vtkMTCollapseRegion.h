@@ -5,11 +5,13 @@
  *
  * Places. The region's box is moved to the origin and scaled by a power of two to about unit size, so that no quadric
  * loses digits to large coordinates. Both steps are exact: a lattice point and its place here are the same number.
- * New places are snapped to the lattice when they are proposed, so every check made here speaks of the fragment as it will be.
+ * New places are snapped to the lattice when they are proposed, so every check made here speaks of the fragment as it
+ * will be.
  *
  * Ranks say what may become of a vertex. A vertex may disappear into one of equal or higher rank, which then keeps its
- * place; two plain vertices, or two border vertices, meet at the best place for both. A border vertex moves along border edges only, a
- * seam vertex along seam edges only and only to the end of the edge, so that attributes stay what they are.
+ * place; two plain vertices, or two border vertices, meet at the best place for both. A border vertex moves along
+ * border edges only, a seam vertex along seam edges only and only to the end of the edge, so that attributes stay what
+ * they are.
  *
  * Wedges. Without seams each vertex has one wedge. With seams each half-edge h holds the wedge of the corner at its
  * target in its face. CGAL keeps the half-edges opposite to the two collapsing vertices, so the corners of the
@@ -133,15 +135,16 @@ public:
   bool KeepsFirst(Halfedge h, Rule rule, const Point& place) const;
 
   ///@{
-  /// Reasons to refuse a collapse: it would join two locked vertices by a new edge, or make one that they have a border; it would join one vertex to two fans of the
-  /// same point, which put together again would give an edge with four triangles; it would turn a triangle by a right
-  /// angle or more. A triangle without area has no side and may turn.
+  /// Reasons to refuse a collapse: it would join two locked vertices by a new edge, or make one that they have a
+  /// border; it would join one vertex to two fans of the same point, which put together again would give an edge with
+  /// four triangles; it would turn a triangle by a right angle or more. A triangle without area has no side and may
+  /// turn.
   bool MakesChord(Halfedge h, Rule rule) const;
   bool MakesDoubleEdge(Halfedge h) const;
   bool TurnsTriangle(Halfedge h, const Point& place) const;
   ///@}
-  /// Whether the mesh stays a manifold without twin triangles: the link condition, and what CGAL asks for besides at borders
-  /// and for closed pieces.
+  /// Whether the mesh stays a manifold without twin triangles: the link condition, and what CGAL asks for besides at
+  /// borders and for closed pieces.
   bool SatisfiesLink(Halfedge h) const;
   /// Whether two neighbouring triangles would lie back to back (within a degree) after the collapse.
   bool FoldsEdge(Halfedge h, const Point& place) const;
@@ -156,7 +159,8 @@ public:
 
   /// The fragment as it is now. Blocked and RemovedComponents are left alone.
   void Extract(vtkMTSimplification& result) const;
-  /// Counts the edges left by what keeps them from collapsing. Where rules, topology and chords would let them, that is the shape
+  /// Counts the edges left by what keeps them from collapsing. Where rules, topology and chords would let them, that is
+  /// the shape
   /// ("fold"), or the limit of steps ("steps") when it was reached.
   void CountBlocked(std::map<std::string, std::int64_t>& blocked) const;
 
@@ -189,8 +193,8 @@ private:
 
   const vtkMTPatch& Floor;
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 };
-  double Scale = 1.0; // lattice steps per unit here, a power of two
-  double Magic = 0.0; // adding and subtracting it rounds to the lattice
+  double Scale = 1.0;                        // lattice steps per unit here, a power of two
+  double Magic = 0.0;                        // adding and subtracting it rounds to the lattice
   std::vector<std::uint32_t> HalfedgeWedges; // [half-edges] when there are seams
   VertexState Surviving;
   std::vector<SavedCorner> Saved;

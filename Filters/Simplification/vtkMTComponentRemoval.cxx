@@ -145,7 +145,8 @@ void vtkMTComponentRemoval::Remove(
       candidates.push_back(c);
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b)
+  std::stable_sort(candidates.begin(), candidates.end(),
+    [&](std::uint32_t a, std::uint32_t b)
     { return components[a].GetSquaredDiagonal() < components[b].GetSquaredDiagonal(); });
 
   std::size_t left = result.Triangles.size();

@@ -22,8 +22,7 @@ struct ModeRecord
 };
 
 const std::array<ModeRecord, 4> Modes = { { { "fast", vtkMTCollapse::RunFast }, { "best", vtkMTCollapse::RunBest },
-  { "lindstrom-turk", vtkMTCollapse::RunLindstromTurk },
-  { "garland-heckbert", vtkMTCollapse::RunGarlandHeckbert } } };
+  { "lindstrom-turk", vtkMTCollapse::RunLindstromTurk }, { "garland-heckbert", vtkMTCollapse::RunGarlandHeckbert } } };
 
 // A pass may leave edges that later collapses nearby have set free; it is worth another one while it gets anywhere.
 constexpr int MaximumPasses = 16;
@@ -71,8 +70,8 @@ std::string vtkMTEdgeCollapse::GetSettings() const
   return out.str();
 }
 
-bool vtkMTEdgeCollapse::Simplify(const vtkMTPatch& floor, const std::vector<unsigned char>& locked,
-  std::size_t target, vtkMTSimplification& result, std::string& error) const
+bool vtkMTEdgeCollapse::Simplify(const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::size_t target,
+  vtkMTSimplification& result, std::string& error) const
 {
   result = {};
   try

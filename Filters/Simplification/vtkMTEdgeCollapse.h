@@ -3,18 +3,19 @@
  * @class vtkMTEdgeCollapse
  * @brief simplification by edge collapse with CGAL, under locks, seams and any topology
  *
- * The cheapest edge is collapsed until the target is reached (Hoppe, "Progressive Meshes", 1996), by CGAL's edge_collapse().
- * The floor is made an oriented manifold first: its points are split into fans where they must be, and everything
- * non-manifold keeps its place. A collapse is refused when it would break the link condition, turn a triangle by a right angle or
- * more, lay two neighbouring triangles back to back, or join two locked points by a new edge (two regions might each
- * make that edge). Where seams run, collapses follow them, so every triangle keeps attributes of one side. Closed
- * components end as tetrahedra at the least. When a floor stays above its target, whole small components are left out
- * (see vtkMTComponentRemoval), and what remains is counted by cause.
+ * The cheapest edge is collapsed until the target is reached (Hoppe, "Progressive Meshes", 1996), by CGAL's
+ * edge_collapse(). The floor is made an oriented manifold first: its points are split into fans where they must be, and
+ * everything non-manifold keeps its place. A collapse is refused when it would break the link condition, turn a
+ * triangle by a right angle or more, lay two neighbouring triangles back to back, or join two locked points by a new
+ * edge (two regions might each make that edge). Where seams run, collapses follow them, so every triangle keeps
+ * attributes of one side. Closed components end as tetrahedra at the least. When a floor stays above its target, whole
+ * small components are left out (see vtkMTComponentRemoval), and what remains is counted by cause.
  *
  * Modes. FAST uses memoryless area-weighted quadrics (Garland and Heckbert 1997; Lindstrom and Turk, "Evaluation of
- * Memoryless Simplification", 1999) and asks again, after a collapse, for the costs at the kept vertex only. BEST is the same in
- * CGAL's own loop, which asks for all costs within two rings: three times slower and a few percent nearer to the floor.
- * LINDSTROM_TURK and GARLAND_HECKBERT are CGAL's policies of these names, with the same locks, for comparison.
+ * Memoryless Simplification", 1999) and asks again, after a collapse, for the costs at the kept vertex only. BEST is
+ * the same in CGAL's own loop, which asks for all costs within two rings: three times slower and a few percent nearer
+ * to the floor. LINDSTROM_TURK and GARLAND_HECKBERT are CGAL's policies of these names, with the same locks, for
+ * comparison.
  *
  * This class's implementation includes CGAL, which is under the GPL.
  */
@@ -45,8 +46,8 @@ public:
   vtkSetClampMacro(Mode, int, FAST, GARLAND_HECKBERT);
   vtkGetMacro(Mode, int);
   ///@}
-  /// By the name that GetSimplifierName gives: "fast", "best", "lindstrom-turk" or "garland-heckbert". False, and nothing
-  /// changed, for any other name.
+  /// By the name that GetSimplifierName gives: "fast", "best", "lindstrom-turk" or "garland-heckbert". False, and
+  /// nothing changed, for any other name.
   bool SetModeByName(const char* name);
 
   ///@{
@@ -60,8 +61,9 @@ public:
 
   ///@{
   /**
-   * A watchdog: how many steps (costs asked for, edges taken from the queue) a region may use for each edge of its floor before it ends with
-   * what it has, which is then counted as blocked by "steps". Default 1000, at least 1. Ordinary regions need about 10.
+   * A watchdog: how many steps (costs asked for, edges taken from the queue) a region may use for each edge of its
+   * floor before it ends with what it has, which is then counted as blocked by "steps". Default 1000, at least 1.
+   * Ordinary regions need about 10.
    */
   vtkSetClampMacro(StepsPerEdge, int, 1, VTK_INT_MAX);
   vtkGetMacro(StepsPerEdge, int);

@@ -8,8 +8,8 @@ namespace CGAL
 {
 namespace Surface_mesh_simplification
 {
-/// CGAL's test for folds also refuses neighbours of very different area, which blocks everything beside slivers and triangles
-/// without area. The fast mode has no such bound either, so the two differ only in what they update.
+/// CGAL's test for folds also refuses neighbours of very different area, which blocks everything beside slivers and
+/// triangles without area. The fast mode has no such bound either, so the two differ only in what they update.
 template <>
 inline bool vtkMTCollapse::Algorithm<vtkMTCollapse::Traits, vtkMTCollapse::QuadricMode,
   vtkMTCollapse::QuadricCost>::are_shared_triangles_valid(const Point& p0, const Point& p1, const Point& p2,

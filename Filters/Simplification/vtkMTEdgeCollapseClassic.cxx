@@ -78,7 +78,8 @@ public:
   const SMS::GarlandHeckbert_plane_policies<Region::Mesh, Traits> Policies;
 };
 
-/// CGAL's policies where the rule leaves the place open; what is not finite (triangles without area) becomes the midpoint.
+/// CGAL's policies where the rule leaves the place open; what is not finite (triangles without area) becomes the
+/// midpoint.
 template <class Policy>
 struct ClassicMode
 {

@@ -8,7 +8,8 @@ bool vtkMTFanMesh::Build(const vtkMTPatch& floor, const std::vector<unsigned cha
 {
   if (locked.size() != floor.Points.size())
   {
-    error = "there are " + std::to_string(floor.Points.size()) + " points but " + std::to_string(locked.size()) + " locks";
+    error =
+      "there are " + std::to_string(floor.Points.size()) + " points but " + std::to_string(locked.size()) + " locks";
     return false;
   }
   if (!this->TakeTriangles(floor, error))
@@ -165,8 +166,7 @@ void vtkMTFanMesh::SplitIntoFans(std::size_t points, const std::vector<unsigned 
   }
 }
 
-void vtkMTFanMesh::WalkFan(
-  std::uint32_t corner, std::uint32_t vertex, std::vector<std::uint32_t>& vertexOfCorner) const
+void vtkMTFanMesh::WalkFan(std::uint32_t corner, std::uint32_t vertex, std::vector<std::uint32_t>& vertexOfCorner) const
 {
   std::uint32_t c = corner;
   do

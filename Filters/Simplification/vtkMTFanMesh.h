@@ -4,12 +4,12 @@
  * @brief any triangle mesh as an oriented manifold: its points split into fans, its edges paired
  *
  * A half-edge structure takes oriented manifolds only, and CGAL's add_face rejects the other triangles without a word.
- * Here every triangle stays: two triangles are neighbours across an edge when the edge belongs to exactly these two and they
- * run along it in opposite directions; the triangles around a point that hang together through such edges are a fan; every
- * fan becomes a vertex of its own, which remembers its point. Splitting may leave just two of the triangles of a fin
- * at an edge between two fans: these are paired too. A point with several fans must keep its place, so that all of them can
- * be put together again at the end: its vertices are locked. Since an edge that cannot be paired always has several
- * fans at both ends, all non-manifold places are locked.
+ * Here every triangle stays: two triangles are neighbours across an edge when the edge belongs to exactly these two and
+ * they run along it in opposite directions; the triangles around a point that hang together through such edges are a
+ * fan; every fan becomes a vertex of its own, which remembers its point. Splitting may leave just two of the triangles
+ * of a fin at an edge between two fans: these are paired too. A point with several fans must keep its place, so that
+ * all of them can be put together again at the end: its vertices are locked. Since an edge that cannot be paired always
+ * has several fans at both ends, all non-manifold places are locked.
  *
  * Triangles with two corners at the same point are left out. Two triangles with the same three points are never paired
  * with each other: that keeps every closed fan at three triangles or more and the mesh a simplicial complex.

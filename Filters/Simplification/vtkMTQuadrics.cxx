@@ -176,8 +176,8 @@ vtkMTQuadrics::Point vtkMTQuadrics::GetPlace(Region::Halfedge h, Region::Rule ru
   return this->R.Snap(Minimize(this->GetSum(h), CGAL::midpoint(p0, p1)));
 }
 
-// Solves (A + r I) y = -(A m + b) by cofactors, then refines once against A itself, which squares what r takes away from directions that
-// A determines (corners stay corners to the last digit) and leaves the others at the midpoint m.
+// Solves (A + r I) y = -(A m + b) by cofactors, then refines once against A itself, which squares what r takes away
+// from directions that A determines (corners stay corners to the last digit) and leaves the others at the midpoint m.
 vtkMTQuadrics::Point vtkMTQuadrics::Minimize(const Quadric& q, const Point& m)
 {
   const double r = Regularisation * q.GetTrace();

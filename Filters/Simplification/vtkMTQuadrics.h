@@ -3,13 +3,13 @@
  * @class vtkMTQuadrics
  * @brief memoryless quadrics: cost and place of a collapse from the triangles as they are now
  *
- * The quadric of a vertex is the sum, over the triangles around it, of area times squared distance to the triangle's plane
- * (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997). After a collapse the quadrics of the kept
- * vertex and of its neighbours are made anew from the triangles as they then are (Lindstrom and Turk, "Evaluation of
- * Memoryless Simplification", 1999), instead of adding up what has long been replaced. Along open borders and
- * seams, planes through the edge and perpendicular to the surface hold its shape. The place is the quadric's minimum, drawn
- * to the edge's midpoint by a small part of the trace, which settles directions in which the surface is flat; a still
- * smaller term of edge length puts the edges of flat parts in order and cures slivers.
+ * The quadric of a vertex is the sum, over the triangles around it, of area times squared distance to the triangle's
+ * plane (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997). After a collapse the
+ * quadrics of the kept vertex and of its neighbours are made anew from the triangles as they then are (Lindstrom and
+ * Turk, "Evaluation of Memoryless Simplification", 1999), instead of adding up what has long been replaced. Along open
+ * borders and seams, planes through the edge and perpendicular to the surface hold its shape. The place is the
+ * quadric's minimum, drawn to the edge's midpoint by a small part of the trace, which settles directions in which the
+ * surface is flat; a still smaller term of edge length puts the edges of flat parts in order and cures slivers.
  */
 #ifndef vtkMTQuadrics_h
 #define vtkMTQuadrics_h

@@ -3,11 +3,11 @@
  * @brief CGAL's edge collapse for the fast mode: costs are asked again on the 1-ring only, and nothing is allocated
  *
  * CGAL's loop asks for the cost of every edge that ends at a neighbour of the kept vertex, about thirty after each
- * collapse, collects them in two sets, and makes a profile with two vectors for each. The quadric of an edge changes most where the
- * edge ends at the kept vertex itself; asking only these six or so leaves the result within a few percent and costs a
- * quarter of the time. The members below are explicit specialisations for this project's own traits type; CGAL's headers and every other
- * use of them stay as they are. They speak of private members, so they hold for the CGAL versions they were
- * written for, and with any other the fast mode is the stock loop.
+ * collapse, collects them in two sets, and makes a profile with two vectors for each. The quadric of an edge changes
+ * most where the edge ends at the kept vertex itself; asking only these six or so leaves the result within a few
+ * percent and costs a quarter of the time. The members below are explicit specialisations for this project's own traits
+ * type; CGAL's headers and every other use of them stay as they are. They speak of private members, so they hold for
+ * the CGAL versions they were written for, and with any other the fast mode is the stock loop.
  */
 #ifndef vtkMTRingUpdate_h
 #define vtkMTRingUpdate_h
@@ -45,8 +45,8 @@ public:
   using halfedge_descriptor = vtkMTCollapse::Region::Halfedge;
 
   template <class VertexIndexMap, class HalfedgeIndexMap>
-  Edge_profile(halfedge_descriptor h, const Triangle_mesh& mesh, const vtkMTCollapse::FastTraits&, const VertexIndexMap&,
-    const vtkMTCollapse::PointMap&, const HalfedgeIndexMap&, bool)
+  Edge_profile(halfedge_descriptor h, const Triangle_mesh& mesh, const vtkMTCollapse::FastTraits&,
+    const VertexIndexMap&, const vtkMTCollapse::PointMap&, const HalfedgeIndexMap&, bool)
     : Mesh(mesh)
     , Forth(h)
     , Back(mesh.opposite(h))
@@ -121,19 +121,21 @@ inline void vtkMTCollapse::FastCollapse::update_neighbors(const vertex_descripto
   } while (around != begin);
 }
 
-/// The same test as CGAL's, with marks instead of a search around every neighbour. CGAL also keeps apart two vertices that both have
-/// constrained edges; here only locked vertices have these, and the edge between two of them is constrained itself.
+/// The same test as CGAL's, with marks instead of a search around every neighbour. CGAL also keeps apart two vertices
+/// that both have constrained edges; here only locked vertices have these, and the edge between two of them is
+/// constrained itself.
 template <>
 inline bool vtkMTCollapse::FastCollapse::is_collapse_topologically_valid(const Profile& profile)
 {
   return m_should_ignore.R->SatisfiesLink(profile.v0_v1());
 }
 
-/// The last word before a collapse. The cost by which the edge has come to the top of the queue may be out of date, since the
-/// quadric at its other end has changed with the ring; when it is now dearer than the next edge, it goes back into the
-/// queue with its true cost. So stale costs that are too low do no harm, at the price of one more look at a few edges. Otherwise the
-/// same test as CGAL's, that no two neighbouring triangles come to lie back to back; it walks the half-edges instead of searching for
-/// them, and leaves out the bound on the ratio of areas, which forbids collapses beside slivers.
+/// The last word before a collapse. The cost by which the edge has come to the top of the queue may be out of date,
+/// since the quadric at its other end has changed with the ring; when it is now dearer than the next edge, it goes back
+/// into the queue with its true cost. So stale costs that are too low do no harm, at the price of one more look at a
+/// few edges. Otherwise the same test as CGAL's, that no two neighbouring triangles come to lie back to back; it walks
+/// the half-edges instead of searching for them, and leaves out the bound on the ratio of areas, which forbids
+/// collapses beside slivers.
 template <>
 inline bool vtkMTCollapse::FastCollapse::is_collapse_geometrically_valid(const Profile& profile, Placement_type place)
 {

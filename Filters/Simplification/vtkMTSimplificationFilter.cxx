@@ -153,8 +153,7 @@ int vtkMTSimplificationFilter::RequestData(
   simplifier->SetMode(this->Mode);
   vtkMTSimplification result;
   std::string error;
-  if (!simplifier->Simplify(
-        floor, this->MakeLocks(floor), this->GetTarget(floor.Triangles.size()), result, error))
+  if (!simplifier->Simplify(floor, this->MakeLocks(floor), this->GetTarget(floor.Triangles.size()), result, error))
   {
     this->SetErrorCode(vtkErrorCode::UnknownError);
     vtkErrorMacro("Simplification failed: " << error << ".");
@@ -206,8 +205,8 @@ bool vtkMTSimplificationFilter::MakeFloor(vtkPolyData* mesh, vtkMTLattice& latti
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
     cells->GetCurrentCell(size, ids);
-    floor.Triangles.push_back({ static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
-      static_cast<std::uint32_t>(ids[2]) });
+    floor.Triangles.push_back(
+      { static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]), static_cast<std::uint32_t>(ids[2]) });
   }
   return true;
 }

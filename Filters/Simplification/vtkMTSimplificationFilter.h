@@ -5,12 +5,12 @@
  *
  * The input's polygons and strips are triangulated; vertices and lines are left out. Points are snapped to a lattice
  * (see vtkMTLattice), simplified by vtkMTEdgeCollapse as one region, and brought back: a point that nothing has moved
- * keeps its input coordinates bit for bit. Point arrays: such a point keeps its values; a point that has moved takes those of the nearest
- * place of the input, interpolated in its triangle; normals are scaled to unit length. Cell arrays take the values of the
- * input triangle nearest to the new triangle's barycentre. Field data passes.
+ * keeps its input coordinates bit for bit. Point arrays: such a point keeps its values; a point that has moved takes
+ * those of the nearest place of the input, interpolated in its triangle; normals are scaled to unit length. Cell arrays
+ * take the values of the input triangle nearest to the new triangle's barycentre. Field data passes.
  *
- * Identity is that of the input's point indices: points that lie at the same place are not merged, so a mesh that is cut open along its
- * seams stays closed only while LockBorder is on.
+ * Identity is that of the input's point indices: points that lie at the same place are not merged, so a mesh that is
+ * cut open along its seams stays closed only while LockBorder is on.
  *
  * Errors (the output is then empty): vtkErrorCode::UserError for points that are not finite numbers, UnknownError when
  * the simplifier fails.
@@ -40,7 +40,8 @@ public:
   ///@}
 
   ///@{
-  /// The part of the triangles to take away. Default 0.5, range 0 to 1, clamped. Not used when TargetTriangles is above 0.
+  /// The part of the triangles to take away. Default 0.5, range 0 to 1, clamped. Not used when TargetTriangles is above
+  /// 0.
   vtkSetClampMacro(TargetReduction, double, 0.0, 1.0);
   vtkGetMacro(TargetReduction, double);
   ///@}
@@ -65,7 +66,8 @@ public:
   ///@}
 
   ///@{
-  /// What became of the last input: edges that nothing could collapse when the target was not reached, and components left out.
+  /// What became of the last input: edges that nothing could collapse when the target was not reached, and components
+  /// left out.
   vtkGetMacro(NumberOfBlockedEdges, vtkIdType);
   vtkGetMacro(NumberOfRemovedComponents, vtkIdType);
   ///@}

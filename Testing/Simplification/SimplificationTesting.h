@@ -35,8 +35,8 @@ vtkMTPatch MakeFloor(vtkPolyData* mesh, double steps = 1 << 20);
 /// A grid of columns x rows points on [0, 1] x [0, 1] with height amplitude times a smooth function.
 vtkMTPatch MakeGrid(int columns, int rows, double amplitude = 0.1, double steps = 1 << 20);
 
-/// Part of the unit icosphere of 20 * 4^subdivisions triangles displaced by eight octaves of noise: the triangles nearest to
-/// a direction. Its open border is where the rest of the sphere would be.
+/// Part of the unit icosphere of 20 * 4^subdivisions triangles displaced by eight octaves of noise: the triangles
+/// nearest to a direction. Its open border is where the rest of the sphere would be.
 vtkMTPatch MakeFractalCap(int subdivisions, std::size_t triangles, int direction);
 
 /// Improved Perlin noise (Perlin 2002), with a permutation made here.
@@ -67,10 +67,10 @@ struct Outcome
 Outcome Simplify(const vtkMTPatch& floor, const Locks& locked, std::size_t target, int mode = vtkMTEdgeCollapse::FAST);
 
 /**
- * Everything that must hold whatever the floor: indices in range, wedges belong to their points, origins all different, locked
- * points in place and all there when used, edges between locked points with one triangle still there with their direction, the
- * multiplicity of every edge between fixed points (locked or non-manifold ones) as in the floor, no edge with more
- * triangles than two elsewhere, no border that was none. Gives the first thing that is wrong, or nothing.
+ * Everything that must hold whatever the floor: indices in range, wedges belong to their points, origins all different,
+ * locked points in place and all there when used, edges between locked points with one triangle still there with their
+ * direction, the multiplicity of every edge between fixed points (locked or non-manifold ones) as in the floor, no edge
+ * with more triangles than two elsewhere, no border that was none. Gives the first thing that is wrong, or nothing.
  */
 std::string FindFault(const vtkMTPatch& floor, const Locks& locked, const vtkMTSimplification& result);
 
@@ -80,7 +80,7 @@ struct Distance
   double Rms = 0.0;
   double Max = 0.0;
 };
-Distance Measure(const vtkMTPatch& a, const vtkMTPatch& b, std::size_t samples = 20000);
+Distance Measure(const vtkMTPatch& a, const vtkMTPatch& b, std::size_t samples = 8000);
 
 /// Processor time of this thread in seconds.
 double GetThreadSeconds();

@@ -22,8 +22,8 @@ vtkMTPatch MakeTetrahedra(int count)
     const std::int32_t x = 100000 * i;
     const std::int32_t s = 100 * (1 + i);
     floor.Points.insert(floor.Points.end(), { { x, 0, 0 }, { x + s, 0, 0 }, { x, s, 0 }, { x, 0, s } });
-    for (const vtkMTTriangle& t : { vtkMTTriangle{ 0, 2, 1 }, vtkMTTriangle{ 0, 1, 3 }, vtkMTTriangle{ 0, 3, 2 },
-           vtkMTTriangle{ 1, 2, 3 } })
+    for (const vtkMTTriangle& t :
+      { vtkMTTriangle{ 0, 2, 1 }, vtkMTTriangle{ 0, 1, 3 }, vtkMTTriangle{ 0, 3, 2 }, vtkMTTriangle{ 1, 2, 3 } })
     {
       floor.Triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
     }

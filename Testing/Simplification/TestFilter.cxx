@@ -145,8 +145,7 @@ TEST(Filter, TheBorderIsSimplifiedWhereItIsNotLocked)
 
 TEST(Filter, PolygonsAndStripsAreTriangulated)
 {
-  for (const auto& mesh :
-    { MTTestMeshes::Quads(20, 20), MTTestMeshes::Strips(20, 20), MTTestMeshes::Polygons(30) })
+  for (const auto& mesh : { MTTestMeshes::Quads(20, 20), MTTestMeshes::Strips(20, 20), MTTestMeshes::Polygons(30) })
   {
     vtkNew<vtkMTSimplificationFilter> filter;
     filter->SetInputData(mesh);

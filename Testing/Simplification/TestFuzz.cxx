@@ -75,8 +75,7 @@ vtkMTPatch MakeSpoilt(Random& random)
         break;
       case 4:
         floor.Points.push_back(RandomPoint(random, 1 << 16));
-        floor.Triangles.push_back(
-          { triangle[0], triangle[1], static_cast<std::uint32_t>(floor.Points.size()) - 1 });
+        floor.Triangles.push_back({ triangle[0], triangle[1], static_cast<std::uint32_t>(floor.Points.size()) - 1 });
         break;
       default:
       {
@@ -212,7 +211,8 @@ void Fuzz(int mode, int patches, std::uint64_t seed)
   std::size_t flat = 0;
   for (int i = 0; i < patches; ++i)
   {
-    SCOPED_TRACE("patch " + std::to_string(i) + " of seed " + std::to_string(seed) + " in mode " + std::to_string(mode));
+    SCOPED_TRACE(
+      "patch " + std::to_string(i) + " of seed " + std::to_string(seed) + " in mode " + std::to_string(mode));
     Random random(seed * 1000003 + static_cast<std::uint64_t>(i));
     vtkMTPatch floor = MakeAny(random);
     const std::uint64_t wedges = random.Below(3);
@@ -230,7 +230,8 @@ void Fuzz(int mode, int patches, std::uint64_t seed)
     after += run.Result.Triangles.size();
     flat += CountFlatTriangles(ToPatch(run.Result));
   }
-  std::printf("mode %d: %d patches, %zu triangles to %zu, %zu of them without area\n", mode, patches, before, after, flat);
+  std::printf(
+    "mode %d: %d patches, %zu triangles to %zu, %zu of them without area\n", mode, patches, before, after, flat);
 }
 }
 

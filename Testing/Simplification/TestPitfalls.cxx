@@ -109,9 +109,10 @@ TEST(Pitfalls, AFloorAsLargeAsTheWholeLatticeIsSimplified)
   vtkMTPatch floor = MakeGrid(20, 20, 0.1, 1 << 20);
   for (vtkMTPoint& p : floor.Points)
   {
-    p[0] = static_cast<std::int32_t>((static_cast<std::int64_t>(p[0]) << 12) - 2147483648LL - (p[0] == 1 << 20 ? 1 : 0));
-    p[1] = static_cast<std::int32_t>(std::min<std::int64_t>((static_cast<std::int64_t>(p[1]) << 12) - 2147483648LL,
-      std::numeric_limits<std::int32_t>::max()));
+    p[0] =
+      static_cast<std::int32_t>((static_cast<std::int64_t>(p[0]) << 12) - 2147483648LL - (p[0] == 1 << 20 ? 1 : 0));
+    p[1] = static_cast<std::int32_t>(std::min<std::int64_t>(
+      (static_cast<std::int64_t>(p[1]) << 12) - 2147483648LL, std::numeric_limits<std::int32_t>::max()));
   }
   const Outcome run = Simplify(floor, LockNothing(floor), 100);
   EXPECT_TRUE(run.Ok) << run.Error;
@@ -181,8 +182,8 @@ TEST(Pitfalls, EdgesWithoutLengthStopAtTheTargetAndRespectLocks)
     EXPECT_TRUE(run.Ok) << run.Error;
     EXPECT_EQ(FindFault(floor, locked, run.Result), "");
     EXPECT_GE(run.Result.Triangles.size() + 1, target);
-    std::printf("mode %d: %zu triangles, wanted %zu of %zu\n", mode, run.Result.Triangles.size(), target,
-      floor.Triangles.size());
+    std::printf(
+      "mode %d: %zu triangles, wanted %zu of %zu\n", mode, run.Result.Triangles.size(), target, floor.Triangles.size());
   }
   const Outcome fast = Simplify(floor, locked, floor.Triangles.size() * 3 / 4);
   EXPECT_LE(fast.Result.Triangles.size(), floor.Triangles.size() * 3 / 4);
@@ -207,7 +208,7 @@ TEST(Pitfalls, NoTriangleOfANonManifoldFloorIsLost)
 {
   vtkMTPatch floor = MakeGrid(6, 6);
   const vtkMTTriangle some = floor.Triangles[20];
-  floor.Triangles.push_back(some);                        // a duplicate
+  floor.Triangles.push_back(some);                          // a duplicate
   floor.Triangles.push_back({ some[1], some[0], some[2] }); // an opposite face
   floor.Points.push_back({ 1000, 1000, 900000 });
   floor.Triangles.push_back({ floor.Triangles[30][0], floor.Triangles[30][1], 36 }); // a fin
@@ -356,10 +357,12 @@ TEST(Pitfalls, ThreadsGiveTheSameResultsAsOneAfterTheOther)
   std::vector<std::thread> threads;
   for (vtkMTSimplification& result : results)
   {
-    threads.emplace_back([&] {
-      std::string error;
-      simplifier->Simplify(floor, locked, 1000, result, error);
-    });
+    threads.emplace_back(
+      [&]
+      {
+        std::string error;
+        simplifier->Simplify(floor, locked, 1000, result, error);
+      });
   }
   for (std::thread& thread : threads)
   {

@@ -157,7 +157,8 @@ TEST(Seams, ATextureAroundACylinderStaysContinuousInEveryTriangle)
           EXPECT_FALSE(run.Result.Moved[d.first]);
         }
         EXPECT_EQ(ends, 2);
-        EXPECT_TRUE(degrees.size() < 40 || divisor == 2 || mode == vtkMTEdgeCollapse::GARLAND_HECKBERT) << "nothing has collapsed along the seam: mode " << mode << " lock " << lock << " divisor " << divisor;
+        EXPECT_TRUE(degrees.size() < 40 || divisor == 2 || mode == vtkMTEdgeCollapse::GARLAND_HECKBERT)
+          << "nothing has collapsed along the seam: mode " << mode << " lock " << lock << " divisor " << divisor;
       }
     }
   }
@@ -208,7 +209,8 @@ TEST(Seams, WithoutSeamsWedgesChangeNothing)
 
 TEST(Seams, JunctionsAndEndsOfSeamsKeepTheirPlace)
 {
-  // A cross of seams in a grid, one arm of which ends inside: wedges by quadrant, and by left and right only above row 15.
+  // A cross of seams in a grid, one arm of which ends inside: wedges by quadrant, and by left and right only above
+  // row 15.
   vtkMTPatch floor = MakeGrid(21, 21, 0.0);
   const auto points = static_cast<std::uint32_t>(floor.Points.size());
   for (std::uint32_t w = 0; w < 3 * points; ++w)
