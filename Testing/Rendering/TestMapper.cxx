@@ -21,6 +21,7 @@
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -536,6 +537,59 @@ TEST(Mapper, SmallMemoryLimitDrawsTheSame)
   std::cout << small->GetPatchMemory() << " of " << mapper->GetPatchMemory() << " bytes kept\n";
   EXPECT_LE(small->GetPatchMemory(), 100000);
   EXPECT_GT(mapper->GetPatchMemory(), 100000);
+}
+
+TEST(Mapper, StereoShowsBothEyesOneCut)
+{
+  const auto mapper = MakeMapper(MakeInput());
+  MTScene scene(mapper);
+  LookClosely(scene);
+  scene.Window->StereoRenderOn();
+  scene.Window->SetStereoTypeToAnaglyph();
+  const auto picture = scene.Render();
+  vtkNew<vtkPolyData> mesh;
+  ASSERT_TRUE(mapper->GetCut(mesh));
+  vtkNew<vtkPolyDataMapper> reference;
+  reference->SetInputData(mesh);
+  reference->SetScalarRange(mapper->GetScalarRange());
+  MTScene plain(reference);
+  LookClosely(plain);
+  plain.Window->StereoRenderOn();
+  plain.Window->SetStereoTypeToAnaglyph();
+  const MTDifference difference = MTDifference::Compare(picture, plain.Render());
+  std::cout << difference << "\n";
+  EXPECT_GT(difference.Drawn, 10000u);
+  EXPECT_LE(difference.ClearlyOff, 9u);
+}
+
+TEST(Mapper, TilesOfALargePictureFitTogether)
+{
+  const auto mapper = MakeMapper(MakeInput());
+  mapper->SetPixelError(0.0); // the same cut in every tile
+  vtkNew<vtkPolyData> mesh;
+  vtkSmartPointer<vtkImageData> pictures[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkPolyDataMapper> reference;
+    reference->SetInputData(mesh);
+    reference->SetScalarRange(mapper->GetScalarRange());
+    MTScene scene(i == 0 ? static_cast<vtkMapper*>(mapper) : reference);
+    LookFromTheSide(scene);
+    scene.Render();
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(scene.Window);
+    filter->SetScale(3);
+    filter->Update();
+    pictures[i] = filter->GetOutput();
+    if (i == 0)
+    {
+      ASSERT_TRUE(mapper->GetCut(mesh));
+    }
+  }
+  const MTDifference difference = MTDifference::Compare(pictures[0], pictures[1]);
+  std::cout << difference << "\n";
+  EXPECT_GT(difference.Drawn, 100000u);
+  EXPECT_LE(difference.ClearlyOff, difference.Drawn / 10000);
 }
 
 TEST(Mapper, FlyThroughKeepsPixelsRightWhilePatchesComeAndGo)
