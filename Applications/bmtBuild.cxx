@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtCommon.h"
+#include "bmtModel.h"
+
+#include "vtkMTEdgeCollapse.h"
+#include "vtkMTFileSink.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMTPolyDataStream.h"
+#include "vtkMTRegularPartition.h"
+#include "vtkMTVoronoiPartition.h"
+#include "vtkMultiTriangulationBuilder.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+struct Options
+{
+  std::vector<std::string> Inputs;
+  std::string Output;
+  std::string Partition = "v";
+  std::string Simplifier = "fast";
+  int PatchTriangles = 1000;
+  int LatticeBits = 24;
+  int Threads = 0;
+  bool NoNormals = false;
+};
+
+void Advance(vtkObject* caller, unsigned long, void* client, void* fraction)
+{
+  static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction));
+  if (bmtIsInterrupted())
+  {
+    vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
+  }
+}
+
+void Configure(const Options& options, vtkMultiTriangulationBuilder* builder)
+{
+  if (options.Partition == "regular")
+  {
+    builder->SetPartitionStrategy(vtkNew<vtkMTRegularPartition>());
+  }
+  else
+  {
+    builder->SetPartitionStrategy(vtkNew<vtkMTVoronoiPartition>());
+  }
+  vtkNew<vtkMTEdgeCollapse> simplifier;
+  simplifier->SetModeByName(options.Simplifier.c_str());
+  builder->SetSimplifier(simplifier);
+  builder->SetPatchTriangles(options.PatchTriangles);
+  builder->SetLatticeBits(options.LatticeBits);
+  builder->SetNumberOfThreads(options.Threads);
+  builder->SetMakeNormals(!options.NoNormals);
+}
+
+void RunBuilder(const Options& options, vtkMTTriangleStream& stream, vtkMTFileSink& sink)
+{
+  vtkNew<vtkMultiTriangulationBuilder> builder;
+  Configure(options, builder);
+  bmtProgress progress("building");
+  vtkNew<vtkCallbackCommand> advance;
+  advance->SetCallback(Advance);
+  advance->SetClientData(&progress);
+  builder->AddObserver(vtkCommand::ProgressEvent, advance);
+  if (!builder->Build(stream, sink))
+  {
+    bmtThrowIfInterrupted();
+    throw bmtError(options.Output + " was not written: " + builder->GetErrorMessage());
+  }
+}
+
+bmtJson Build(const Options& options)
+{
+  bmtRequireWritable(options.Output);
+  const double wall = bmtWallSeconds();
+  const double cpu = bmtCpuSeconds();
+  vtkNew<vtkPolyData> mesh;
+  const std::int64_t arraysLeftOut = bmtReadMeshes(options.Inputs, mesh);
+  const double reading = bmtWallSeconds() - wall;
+  vtkMTPolyDataStream stream(mesh);
+  vtkMTFileSink sink(options.Output);
+  RunBuilder(options, stream, sink);
+
+  bmtJson result;
+  result["output"] = options.Output;
+  result["seconds"] = bmtWallSeconds() - wall;
+  result["cpu_seconds"] = bmtCpuSeconds() - cpu;
+  result["reading_seconds"] = reading;
+  result["arrays_not_in_all_inputs"] = arraysLeftOut;
+  result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), sink.GetFileSize()));
+  return result;
+}
+
+void AddOptions(CLI::App& command, Options& options)
+{
+  command.add_option("INPUT", options.Inputs, "Meshes: PLY, STL, OBJ, VTP, VTK, glTF; several are built as one")
+    ->required();
+  command.add_option("-o,--output", options.Output, "The Multi-Triangulation file to write")->required();
+  command
+    .add_option(
+      "--partition", options.Partition, "How regions are placed: v (Voronoi) or regular (cube, face and edge centres)")
+    ->check(CLI::IsMember({ "v", "regular" }))
+    ->capture_default_str();
+  command.add_option("--patch-triangles", options.PatchTriangles, "Wanted mean number of triangles in a patch")
+    ->check(CLI::Range(16, 16384))
+    ->capture_default_str();
+  command
+    .add_option("--simplifier", options.Simplifier,
+      "fast (memoryless), best (stock loop), or CGAL's own lindstrom-turk and garland-heckbert")
+    ->check(CLI::IsMember({ "fast", "best", "lindstrom-turk", "garland-heckbert" }))
+    ->capture_default_str();
+  command.add_option("--lattice-bits", options.LatticeBits, "The longest side has at most 2^N lattice steps")
+    ->check(CLI::Range(10, 31))
+    ->capture_default_str();
+  command
+    .add_option("--threads", options.Threads, "Threads; 0: as many as there are processors. No influence on the file")
+    ->check(CLI::Range(0, 1024))
+    ->capture_default_str();
+  command.add_flag("--no-normals", options.NoNormals, "Make no smooth normals where the input has none");
+}
+}
+
+void bmtAddBuild(CLI::App& app, bmtContext& context)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("build", "Build a Multi-Triangulation file from a mesh");
+  command->footer("The file is written whole or not at all, and is the same byte for byte for any number of threads.");
+  AddOptions(*command, *options);
+  bmtAddCommonOptions(*command, context);
+  command->callback(
+    [options, &context]
+    {
+      context.Run = [options, &context]
+      {
+        bmtPrint(context, Build(*options));
+        return bmtExit::Success;
+      };
+    });
+}

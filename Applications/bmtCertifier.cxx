@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtCertifier.h"
+
+#include "bmtSampling.h"
+
+#include "vtkMTCut.h"
+#include "vtkMTGraph.h"
+#include "vtkMTPatchSource.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace
+{
+bmtFrame MakeFrame(const vtkMTGraph& graph, const bmtSurface& input)
+{
+  bmtBounds bounds = input.GetBounds();
+  double model[6];
+  graph.GetBounds(model);
+  bounds.Add({ model[0], model[2], model[4] });
+  bounds.Add({ model[1], model[3], model[5] });
+  return bmtFrame::FromBounds(bounds);
+}
+
+// The cut whose patches are those of one level: everything coarser is refined.
+vtkMTCut MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
+{
+  vtkMTCut cut(graph);
+  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+  {
+    if (graph.Nodes[node].Level > level && !cut.IsRefined(node))
+    {
+      cut.RefineWithDependencies(node);
+    }
+  }
+  return cut;
+}
+
+double GetLargestError(const vtkMTGraph& graph, const std::vector<std::uint32_t>& arcs)
+{
+  double error = 0.0;
+  for (std::uint32_t arc : arcs)
+  {
+    error = std::max(error, graph.Nodes[graph.Arcs[arc].To].Error);
+  }
+  return error;
+}
+
+std::string Describe(const bmtPoint& x, const std::string& where)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << where << ", near (" << x[0] << ", " << x[1] << ", " << x[2] << ")";
+  return text.str();
+}
+}
+
+bmtCertifier::bmtCertifier(const vtkMTPatchSource& source, bmtSurface input, std::size_t samples, std::uint64_t seed)
+  : Source(source)
+  , Input(std::move(input))
+  , Frame(MakeFrame(source.GetGraph(), this->Input))
+  , Samples(samples)
+  , Seed(seed)
+  , NodeDistances(source.GetGraph().Nodes.size(), -1.0)
+  , PatchToInput("certified_patch_to_input")
+  , InputToCut("certified_input_to_cut")
+{
+  this->Input.Transform(this->Frame);
+  this->InputSearch = std::make_unique<bmtClosestPoint>(this->Input);
+  this->InputPoints = this->Input.GetUsedPoints();
+  const bmtSamples extra = bmtSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
+  this->InputPoints.insert(this->InputPoints.end(), extra.Points.begin(), extra.Points.end());
+}
+
+bmtCertifier::~bmtCertifier() = default;
+
+bmtCertifier::CutSurface bmtCertifier::ReadCut(const std::vector<std::uint32_t>& arcs) const
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const std::vector<unsigned char> noArrays(graph.Arrays.size(), 0);
+  CutSurface cut;
+  vtkMTPatch patch;
+  std::string error;
+  for (std::uint32_t arc : arcs)
+  {
+    bmtThrowIfInterrupted();
+    if (!this->Source.ReadPatch(arc, &noArrays, patch, error))
+    {
+      throw bmtError(error);
+    }
+    const auto first = static_cast<std::uint32_t>(cut.Surface.Points.size());
+    for (const vtkMTPoint& point : patch.Points)
+    {
+      cut.Surface.Points.push_back(this->Frame.ToLocal(graph.Lattice.ToWorld(point)));
+    }
+    for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
+    {
+      const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
+      cut.Surface.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    }
+    cut.PointNodes.resize(cut.Surface.Points.size(), graph.Arcs[arc].To);
+    cut.TriangleNodes.resize(cut.Surface.Triangles.size(), graph.Arcs[arc].To);
+  }
+  return cut;
+}
+
+void bmtCertifier::Compare(bmtCheck& check, double distance, double error, const std::string& where)
+{
+  ++check.Tested;
+  const double allowed = error + this->GetTolerance();
+  check.Worst = std::max(check.Worst, distance / allowed);
+  if (!(distance <= allowed))
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << where << ": the distance is " << distance << ", the certified error " << error;
+    check.Fail(text.str());
+  }
+}
+
+void bmtCertifier::CountNode(std::uint32_t node, double distance)
+{
+  this->NodeDistances[node] = std::max(this->NodeDistances[node], distance);
+}
+
+void bmtCertifier::TestPatches(const CutSurface& cut, std::uint32_t level)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const std::string name = "patches of level " + std::to_string(level);
+  std::vector<double> distances;
+  const auto test = [&](const std::vector<bmtPoint>& points, const std::vector<std::uint32_t>& owner,
+                      const std::vector<std::uint32_t>* triangles)
+  {
+    this->InputSearch->Measure(points, distances, nullptr, (name + " to input").c_str());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const std::uint32_t node = owner[triangles ? (*triangles)[i] : i];
+      const double distance = this->Frame.ToModel(distances[i]);
+      this->CountNode(node, distance);
+      const double error = graph.Nodes[node].Error;
+      const bool isGood = distance <= error + this->GetTolerance();
+      this->Compare(this->PatchToInput, distance, error,
+        isGood ? std::string()
+               : Describe(this->Frame.ToModelPoint(points[i]), "node " + std::to_string(node) + ", " + name));
+    }
+  };
+  test(cut.Surface.Points, cut.PointNodes, nullptr);
+  const bmtSamples samples = bmtSampler(cut.Surface, this->Samples, this->Seed + level + 1).Take(0, this->Samples);
+  test(samples.Points, cut.TriangleNodes, &samples.Triangles);
+}
+
+void bmtCertifier::TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes)
+{
+  const bmtClosestPoint search(cut.Surface);
+  std::vector<double> distances;
+  std::vector<std::uint32_t> nearest;
+  search.Measure(this->InputPoints, distances, &nearest, ("input to " + name).c_str());
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const double distance = this->Frame.ToModel(distances[i]);
+    if (countNodes && nearest[i] != bmtClosestPoint::NoTriangle)
+    {
+      this->CountNode(cut.TriangleNodes[nearest[i]], distance);
+    }
+    const bool isGood = distance <= error + this->GetTolerance();
+    this->Compare(this->InputToCut, distance, error,
+      isGood ? std::string() : Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name));
+  }
+  ++this->Cuts;
+}
+
+void bmtCertifier::TestLevel(std::uint32_t level)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const std::vector<std::uint32_t> arcs = MakeLevelCut(graph, level).GetArcs();
+  const CutSurface cut = this->ReadCut(arcs);
+  this->TestPatches(cut, level);
+  this->TestInput(cut, GetLargestError(graph, arcs), "the cut of level " + std::to_string(level), true);
+}
+
+void bmtCertifier::TestCut(const vtkMTCut& cut, const std::string& name)
+{
+  const std::vector<std::uint32_t> arcs = cut.GetArcs();
+  this->TestInput(this->ReadCut(arcs), GetLargestError(this->Source.GetGraph(), arcs), name, false);
+}
+
+bmtJson bmtCertifier::GetTightness() const
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const double least = std::max(graph.Nodes[graph.GetSink()].Error, this->GetTolerance());
+  std::map<std::uint32_t, std::vector<double>> ratios;
+  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+  {
+    if (this->NodeDistances[node] >= 0.0)
+    {
+      const double certified = std::max(graph.Nodes[node].Error, least);
+      ratios[graph.Nodes[node].Level].push_back(certified / std::max(this->NodeDistances[node], least));
+    }
+  }
+  bmtJson json = bmtJson::object();
+  for (auto& [level, values] : ratios)
+  {
+    std::sort(values.begin(), values.end());
+    bmtJson& entry = json[std::to_string(level)];
+    entry["median"] = 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+    entry["worst"] = values.back();
+    entry["n"] = values.size();
+  }
+  return json;
+}
+
+bmtJson bmtCertifier::GetSkipped() const
+{
+  bmtJson json;
+  json["not_finite"] = this->Input.NonFinite;
+  json["index_out_of_range"] = this->Input.OutOfRange;
+  json["degenerate"] = this->Input.Degenerate;
+  return json;
+}

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtCommon.h"
+
+#include "vtkLogger.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include <unistd.h>
+
+//------------------------------------------------------------------------------
+// Interruption
+
+namespace
+{
+volatile std::sig_atomic_t Interrupted = 0;
+
+extern "C" void HandleInterrupt(int signal)
+{
+  if (Interrupted)
+  {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+  Interrupted = 1;
+}
+}
+
+void bmtCatchInterrupts()
+{
+  struct sigaction action;
+  std::memset(&action, 0, sizeof(action));
+  action.sa_handler = HandleInterrupt;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool bmtIsInterrupted()
+{
+  return Interrupted != 0;
+}
+
+void bmtThrowIfInterrupted()
+{
+  if (bmtIsInterrupted())
+  {
+    throw bmtInterrupt();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Messages
+
+namespace
+{
+// VTK says "ERROR: In file.cxx, line 1\nvtkClass (0x...): what\n\n": what it says in the end is enough for a person.
+std::string GetEssence(const char* text)
+{
+  std::string essence(text);
+  const std::size_t object = essence.find("): ");
+  if (object != std::string::npos)
+  {
+    essence = essence.substr(object + 3);
+  }
+  std::replace(essence.begin(), essence.end(), '\n', ' ');
+  const std::size_t last = essence.find_last_not_of(' ');
+  return essence.substr(0, last == std::string::npos ? 0 : last + 1);
+}
+
+class OutputWindow : public vtkOutputWindow
+{
+public:
+  static OutputWindow* New();
+  vtkTypeMacro(OutputWindow, vtkOutputWindow);
+  void DisplayText(const char* text) override { bmtWarn(GetEssence(text)); }
+
+protected:
+  OutputWindow() { this->SetDisplayModeToNever(); }
+};
+vtkStandardNewMacro(OutputWindow);
+}
+
+void bmtInstallOutputWindow()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // or else it would say everything a second time
+  vtkNew<OutputWindow> window;
+  vtkOutputWindow::SetInstance(window);
+}
+
+void bmtWarn(const std::string& text)
+{
+  if (!text.empty())
+  {
+    std::cerr << "bmt: " << text << std::endl;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Time and progress
+
+double bmtWallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double bmtCpuSeconds()
+{
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+bmtProgress::bmtProgress(const char* what)
+  : What(isatty(STDERR_FILENO) ? what : "")
+{
+}
+
+bmtProgress::~bmtProgress()
+{
+  if (this->LastTime >= 0.0)
+  {
+    std::fprintf(stderr, "\r\033[K");
+    std::fflush(stderr);
+  }
+}
+
+void bmtProgress::Update(double fraction)
+{
+  const double now = bmtWallSeconds();
+  if (this->What.empty() || now - this->LastTime < 0.1)
+  {
+    return;
+  }
+  this->LastTime = now;
+  std::fprintf(stderr, "\r\033[K%s %3.0f %%", this->What.c_str(), 100.0 * std::clamp(fraction, 0.0, 1.0));
+  std::fflush(stderr);
+}
+
+//------------------------------------------------------------------------------
+// Options and results
+
+void bmtAddCommonOptions(CLI::App& command, bmtContext& context)
+{
+  command.add_flag("--json", context.Json, "Print the result as one JSON object, alone on standard output");
+}
+
+namespace
+{
+std::string ToText(const bmtJson& value)
+{
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+// The entries of a list, one line each.
+void PrintList(std::ostream& out, const bmtJson& list, const std::string& indent)
+{
+  for (const bmtJson& item : list)
+  {
+    const char* separator = "- ";
+    out << indent;
+    for (const auto& [name, entry] : item.items())
+    {
+      out << separator << name << ": " << ToText(entry);
+      separator = ", ";
+    }
+    out << "\n";
+  }
+}
+
+void PrintLines(std::ostream& out, const bmtJson& value, const std::string& indent)
+{
+  for (const auto& [name, entry] : value.items())
+  {
+    const bool isList = entry.is_array() && !entry.empty() && entry.front().is_object();
+    const bool isObject = entry.is_object() && !entry.empty();
+    out << indent << name << ":" << (isList || isObject ? "" : " " + ToText(entry)) << "\n";
+    if (isList)
+    {
+      PrintList(out, entry, indent + "  ");
+    }
+    else if (isObject)
+    {
+      PrintLines(out, entry, indent + "  ");
+    }
+  }
+}
+}
+
+void bmtPrint(const bmtContext& context, const bmtJson& result)
+{
+  if (context.Json)
+  {
+    // Names in files may hold any bytes; what is no UTF-8 is replaced rather than thrown at.
+    std::cout << result.dump(2, ' ', false, bmtJson::error_handler_t::replace) << "\n";
+  }
+  else
+  {
+    PrintLines(std::cout, result, "");
+  }
+  std::cout.flush();
+  if (!std::cout)
+  {
+    throw bmtError("the result cannot be written to standard output; is the disk full or the pipe closed?");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Files
+
+void bmtRequireReadable(const std::string& path)
+{
+  std::error_code code;
+  if (!std::filesystem::exists(path, code))
+  {
+    throw bmtError(path + ": no such file; check the name");
+  }
+  if (std::filesystem::is_directory(path, code))
+  {
+    throw bmtError(path + ": is a folder; name a file");
+  }
+  if (!std::ifstream(path))
+  {
+    throw bmtError(path + ": cannot be opened for reading; check its permissions");
+  }
+}
+
+void bmtRequireWritable(const std::string& path)
+{
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code))
+  {
+    throw bmtError(path + ": is a folder; name a file to write");
+  }
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  folder = folder.empty() ? "." : folder;
+  if (!std::filesystem::is_directory(folder, code))
+  {
+    throw bmtError(path + ": its folder does not exist; make it first");
+  }
+  if (access(folder.c_str(), W_OK) != 0)
+  {
+    throw bmtError(path + ": its folder cannot be written to; check its permissions");
+  }
+}
+
+std::string bmtGetEnding(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}

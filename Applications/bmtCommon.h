@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file bmtCommon.h
+ * @brief what all sub-commands of bmt share: errors, interruption, progress, output, and how a sub-command is added
+ *
+ * Each sub-command lives in a file of its own, bmt<Name>.cxx, and gives one function, bmtAdd<Name>, that describes its
+ * options to CLI11 and says what to run. Errors are thrown as bmtError and reported once, in main.
+ */
+#ifndef bmtCommon_h
+#define bmtCommon_h
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+using bmtJson = nlohmann::ordered_json;
+
+/// What went wrong, where, and what to do about it, in one line.
+class bmtError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The user pressed Ctrl-C.
+class bmtInterrupt : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
+struct bmtExit
+{
+  static constexpr int Success = 0;
+  static constexpr int Failure = 1; ///< an error, or a check that did not pass
+  static constexpr int Usage = 2;   ///< options that make no sense
+  static constexpr int Interrupted = 130;
+};
+
+///@{
+/// Ctrl-C and SIGTERM set a flag that long loops ask for; a second one ends the program at once.
+void bmtCatchInterrupts();
+bool bmtIsInterrupted();
+void bmtThrowIfInterrupted();
+///@}
+
+/**
+ * A line of progress on standard error while the object lives; nothing at all when standard error is no terminal.
+ */
+class bmtProgress
+{
+public:
+  explicit bmtProgress(const char* what);
+  ~bmtProgress();
+  bmtProgress(const bmtProgress&) = delete;
+  void operator=(const bmtProgress&) = delete;
+  void Update(double fraction);
+
+private:
+  std::string What;
+  double LastTime = -1.0;
+};
+
+/// VTK's errors and warnings go to standard error in the form of all other messages: one line each, "bmt: ...".
+void bmtInstallOutputWindow();
+
+/// Says something that is no error on standard error.
+void bmtWarn(const std::string& text);
+
+/// Seconds since some fixed moment, and CPU seconds of all threads since the program began.
+double bmtWallSeconds();
+double bmtCpuSeconds();
+
+/// What the command line said, filled by the sub-command's options.
+struct bmtContext
+{
+  bool Json = false;
+  std::function<int()> Run; ///< of the sub-command that was named; gives the exit code
+};
+
+/// Adds the options that every sub-command has.
+void bmtAddCommonOptions(CLI::App& command, bmtContext& context);
+
+/// The result of a command on standard output: one JSON object, or the same as lines of "name: value".
+void bmtPrint(const bmtContext& context, const bmtJson& result);
+
+/// Throws bmtError unless the file can be opened for reading and is no folder.
+void bmtRequireReadable(const std::string& path);
+/// Throws bmtError unless a file can be made in the folder of path; nothing is made or changed.
+void bmtRequireWritable(const std::string& path);
+/// The ending of a file name, in lower case, with its dot.
+std::string bmtGetEnding(const std::string& path);
+
+///@{
+void bmtAddGenerate(CLI::App& app, bmtContext& context);
+void bmtAddBuild(CLI::App& app, bmtContext& context);
+void bmtAddInfo(CLI::App& app, bmtContext& context);
+void bmtAddVerify(CLI::App& app, bmtContext& context);
+void bmtAddExtract(CLI::App& app, bmtContext& context);
+void bmtAddCompare(CLI::App& app, bmtContext& context);
+void bmtAddRender(CLI::App& app, bmtContext& context);
+void bmtAddView(CLI::App& app, bmtContext& context);
+///@}
+
+#endif

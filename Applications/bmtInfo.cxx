@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtCommon.h"
+#include "bmtModel.h"
+
+#include "vtkMTPatchSource.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace
+{
+bmtJson Inform(const std::string& path)
+{
+  const std::shared_ptr<const vtkMTPatchSource> source = bmtOpenModel(path);
+  return bmtDescribeModel(source->GetGraph(), std::filesystem::file_size(path));
+}
+}
+
+void bmtAddInfo(CLI::App& app, bmtContext& context)
+{
+  auto file = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("info", "Print the figures of a Multi-Triangulation file");
+  command->footer("Level 0 is the finest. Patches are not read: 'bmt verify' does that.");
+  bmtAddModelArgument(*command, *file);
+  bmtAddCommonOptions(*command, context);
+  command->callback(
+    [file, &context]
+    {
+      context.Run = [file, &context]
+      {
+        bmtPrint(context, Inform(*file));
+        return bmtExit::Success;
+      };
+    });
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtCommon.h"
+#include "bmtScene.h"
+
+#include "vtkMTOutputFile.h"
+
+#include "vtkPNGWriter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace
+{
+struct Options : bmtSceneOptions
+{
+  std::string Output;
+};
+
+double RenderOnce(bmtScene& scene)
+{
+  const double start = bmtWallSeconds();
+  scene.Window->Render();
+  scene.Window->WaitForCompletion();
+  return 1e3 * (bmtWallSeconds() - start);
+}
+
+void WritePicture(bmtScene& scene, const std::string& path)
+{
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(scene.Window);
+  grabber->ShouldRerenderOff();
+  grabber->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grabber->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (!bytes || bytes->GetNumberOfValues() == 0)
+  {
+    throw bmtError(path + " was not written: the picture could not be made");
+  }
+  bmtThrowIfInterrupted();
+  vtkMTOutputFile file;
+  if (!file.Open(path) || !file.Write(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues())) ||
+    !file.Commit())
+  {
+    throw bmtError(file.GetError());
+  }
+}
+
+bmtJson RenderPicture(const Options& options)
+{
+  bmtScene scene(options);
+  bmtRequireWritable(options.Output);
+  scene.RequireDisplay();
+  scene.Window->OffScreenRenderingOn();
+  const double first = RenderOnce(scene); // reads and uploads patches, compiles shaders
+  bmtThrowIfInterrupted();
+  const double second = RenderOnce(scene);
+  WritePicture(scene, options.Output);
+  bmtJson result;
+  result["output"] = options.Output;
+  result["width"] = options.Size[0];
+  result["height"] = options.Size[1];
+  result.update(scene.DescribeFrame());
+  result["frame_ms"] = second;
+  result["first_frame_ms"] = first;
+  return result;
+}
+}
+
+void bmtAddRender(CLI::App& app, bmtContext& context)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("render", "Draw a picture of a Multi-Triangulation into a PNG file");
+  command->footer(
+    "pixel_error is certified: nothing in the picture is farther, in pixels, from where the input would put it. "
+    "frame_ms is the time of\n"
+    "a frame when everything is loaded, first_frame_ms that of the first one. Needs a display; without a screen:\n"
+    "  xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt render ...");
+  bmtAddSceneOptions(*command, *options);
+  command->add_option("-o,--output", options->Output, "The picture to write (.png)")->required();
+  bmtAddCommonOptions(*command, context);
+  command->callback(
+    [options, &context]
+    {
+      context.Run = [options, &context]
+      {
+        bmtPrint(context, RenderPicture(*options));
+        return bmtExit::Success;
+      };
+    });
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtScene.h"
+
+#include "bmtModel.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkLookupTable.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <dlfcn.h>
+
+//------------------------------------------------------------------------------
+// Options
+
+namespace
+{
+// WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
+std::string ParseSize(const std::string& text, std::array<int, 2>& size)
+{
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &size[0], &size[1], &used) == 2 && text[used] == '\0' && size[0] > 0 &&
+    size[1] > 0 && size[0] <= 16384 && size[1] <= 16384)
+  {
+    return "";
+  }
+  return "'" + text + "' is no size such as 1024x768";
+}
+
+std::string CheckCamera(const std::vector<double>& c)
+{
+  const double direction[3] = { c[3] - c[0], c[4] - c[1], c[5] - c[2] };
+  double side[3];
+  vtkMath::Cross(direction, &c[6], side);
+  const bool isFinite = std::all_of(c.begin(), c.end(), [](double x) { return std::isfinite(x); });
+  if (isFinite && vtkMath::Norm(side) > 1e-9 * vtkMath::Norm(direction) * vtkMath::Norm(&c[6]))
+  {
+    return "";
+  }
+  return "the camera's position, focal point and view up do not make a view; position and focal point must differ, and "
+         "view up must not point along the view";
+}
+}
+
+void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
+{
+  bmtAddModelArgument(command, options.File);
+  command
+    .add_option_function<std::string>(
+      "--size",
+      [&options](const std::string& text)
+      {
+        const std::string problem = ParseSize(text, options.Size);
+        if (!problem.empty())
+        {
+          throw CLI::ValidationError("--size", problem);
+        }
+      },
+      "Size of the picture in pixels, as WIDTHxHEIGHT")
+    ->default_str("1024x768")
+    ->type_name("WxH");
+  command
+    .add_option("--camera", options.Camera,
+      "Position, focal point and view up: px,py,pz,fx,fy,fz,ux,uy,uz; without it the whole model is seen")
+    ->delimiter(',')
+    ->expected(9)
+    ->type_name("FLOAT,...");
+  command.add_option("--view-angle", options.ViewAngle, "Vertical view angle in degrees")
+    ->check(CLI::Range(0.001, 179.0))
+    ->capture_default_str();
+  command
+    .add_option(
+      "--pixel-error", options.PixelError, "How far the picture of the surface may be from the input's, in pixels")
+    ->check(CLI::Range(0.0, 1e9))
+    ->capture_default_str();
+  command.add_option("--budget", options.Budget, "Triangles drawn at most; 0: no limit")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command.add_option("--color-by", options.ColorBy, "level, patch, error, or the name of a point or cell array");
+}
+
+//------------------------------------------------------------------------------
+// Scene
+
+bmtScene::bmtScene(const bmtSceneOptions& options)
+{
+  if (!this->Model->SetSource(bmtOpenModel(options.File)))
+  {
+    throw bmtError(options.File + ": its coarsest patches cannot be read; 'bmt verify' says more");
+  }
+  this->Mapper->SetInputDataObject(this->Model);
+  this->Mapper->SetPixelError(options.PixelError);
+  this->Mapper->SetTriangleBudget(options.Budget);
+  this->Actor->SetMapper(this->Mapper);
+  this->Renderer->AddActor(this->Actor);
+  this->Renderer->SetBackground(0.32, 0.34, 0.43);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetSize(options.Size[0], options.Size[1]);
+  this->Window->SetWindowName("bmt");
+  this->SetColorBy(options.ColorBy);
+  this->SetCamera(options);
+}
+
+void bmtScene::SetCamera(const bmtSceneOptions& options)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetViewAngle(options.ViewAngle);
+  if (options.Camera.empty())
+  {
+    this->Renderer->ResetCamera();
+    return;
+  }
+  const std::vector<double>& c = options.Camera;
+  const std::string problem = CheckCamera(c);
+  if (!problem.empty())
+  {
+    throw bmtError("--camera: " + problem);
+  }
+  camera->SetPosition(&c[0]);
+  camera->SetFocalPoint(&c[3]);
+  camera->SetViewUp(&c[6]);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+void bmtScene::RequireDisplay() const
+{
+  if (!this->Window->IsA("vtkXOpenGLRenderWindow"))
+  {
+    return; // VTK was built for something else than X
+  }
+  const char* name = std::getenv("DISPLAY");
+  bool isThere = name && *name;
+  // VTK aborts when the display cannot be opened. libX11 is loaded with VTK; it is asked by name, so that nothing of X
+  // is needed for building.
+  if (void* library = isThere ? dlopen("libX11.so.6", RTLD_LAZY) : nullptr)
+  {
+    const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
+    const auto close = reinterpret_cast<int (*)(void*)>(dlsym(library, "XCloseDisplay"));
+    if (void* display = open && close ? open(name) : nullptr)
+    {
+      close(display);
+    }
+    else
+    {
+      isThere = false;
+    }
+  }
+  if (!isThere)
+  {
+    throw bmtError("no display: DISPLAY is '" + std::string(name ? name : "") +
+      "' and cannot be opened; without a screen run it as xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt ...");
+  }
+}
+
+void bmtScene::SetColorBy(const std::string& what)
+{
+  this->Mapper->SetColorByToNone();
+  this->Mapper->ScalarVisibilityOff();
+  if (what == "level")
+  {
+    this->Mapper->SetColorByToLevel();
+  }
+  else if (what == "patch")
+  {
+    this->Mapper->SetColorByToPatch();
+  }
+  else if (what == "error")
+  {
+    this->Mapper->SetColorByToError();
+  }
+  else if (!what.empty())
+  {
+    this->ColorByArray(what);
+  }
+  else if (vtkDataArray* colors = this->Model->GetPointData()->GetScalars())
+  {
+    // Colours that came with the mesh are shown as they are; other values only when they are asked for.
+    this->Mapper->SetScalarVisibility(
+      colors->GetDataType() == VTK_UNSIGNED_CHAR && colors->GetNumberOfComponents() >= 3);
+  }
+}
+
+void bmtScene::ColorByArray(const std::string& name)
+{
+  vtkDataArray* array = this->Model->GetPointData()->GetArray(name.c_str());
+  this->Mapper->SetScalarModeToUsePointFieldData();
+  if (!array)
+  {
+    array = this->Model->GetCellData()->GetArray(name.c_str());
+    this->Mapper->SetScalarModeToUseCellFieldData();
+  }
+  if (!array)
+  {
+    std::string names = "level, patch, error";
+    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(this->Model->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(this->Model->GetCellData()) })
+    {
+      for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+      {
+        names += std::string(", ") + (data->GetArrayName(i) ? data->GetArrayName(i) : "");
+      }
+    }
+    throw bmtError("--color-by " + name + ": no such array; there are " + names);
+  }
+  vtkNew<vtkLookupTable> table;
+  table->SetHueRange(0.667, 0.0); // blue is low
+  if (array->GetNumberOfComponents() > 1)
+  {
+    table->SetVectorModeToMagnitude();
+  }
+  this->Mapper->SelectColorArray(name.c_str());
+  this->Mapper->SetLookupTable(table);
+  this->Mapper->SetScalarRange(array->GetRange(array->GetNumberOfComponents() > 1 ? -1 : 0));
+  this->Mapper->ScalarVisibilityOn();
+}
+
+bmtJson bmtScene::DescribeFrame() const
+{
+  bmtJson json;
+  json["triangles"] = this->Mapper->GetTriangles();
+  json["patches"] = this->Mapper->GetPatches();
+  json["culled_patches"] = this->Mapper->GetCulledPatches();
+  json["pixel_error"] = this->Mapper->GetAchievedPixelError(); // null where it has no bound
+  json["converged"] = this->Mapper->GetConverged();
+  json["cut_ms"] = 1e3 * this->Mapper->GetCutTime();
+  return json;
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MTRunBmt.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+std::string Slurp(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+[[noreturn]] void RunChild(const std::vector<std::string>& arguments, const MTRunOptions& options,
+  const std::filesystem::path& out, const std::filesystem::path& err)
+{
+  for (const std::string& entry : options.Environment)
+  {
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string::npos)
+    {
+      unsetenv(entry.c_str());
+    }
+    else
+    {
+      setenv(entry.substr(0, equals).c_str(), entry.c_str() + equals + 1, 1);
+    }
+  }
+  dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+  dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
+  std::vector<char*> argv{ const_cast<char*>(BMT_EXECUTABLE) };
+  for (const std::string& argument : arguments)
+  {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  execv(BMT_EXECUTABLE, argv.data());
+  _exit(127);
+}
+}
+
+nlohmann::json MTRun::Json() const
+{
+  nlohmann::json json = nlohmann::json::parse(this->Out, nullptr, false);
+  EXPECT_TRUE(json.is_object()) << "standard output is no JSON object: '" << this->Out
+                                << "', standard error: " << this->Err;
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
+void MTBmtTest::SetUp()
+{
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  this->Folder =
+    std::filesystem::path(MT_TEST_OUTPUT_DIRECTORY) / (std::string(test->test_suite_name()) + "." + test->name());
+  std::filesystem::remove_all(this->Folder);
+  std::filesystem::create_directories(this->Folder);
+}
+
+void MTBmtTest::TearDown()
+{
+  if (!this->HasFailure())
+  {
+    std::filesystem::remove_all(this->Folder);
+  }
+}
+
+MTRun MTBmtTest::Bmt(const std::vector<std::string>& arguments, const MTRunOptions& options) const
+{
+  const std::filesystem::path out = this->Folder.string() + ".out";
+  const std::filesystem::path err = this->Folder.string() + ".err";
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    RunChild(arguments, options, out, err);
+  }
+  if (options.InterruptAfterMilliseconds >= 0)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(options.InterruptAfterMilliseconds));
+    kill(child, SIGINT);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  MTRun run;
+  run.Exit = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+  run.Out = Slurp(out);
+  run.Err = Slurp(err);
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return run;
+}
+
+nlohmann::json MTBmtTest::BmtJson(std::vector<std::string> arguments) const
+{
+  arguments.push_back("--json");
+  const MTRun run = this->Bmt(arguments);
+  EXPECT_EQ(run.Exit, 0) << arguments.front() << ": " << run.Err;
+  return run.Json();
+}
+
+void MTBmtTest::WriteFile(const std::string& name, const std::string& bytes) const
+{
+  std::ofstream(this->Folder / name, std::ios::binary) << bytes;
+}
+
+std::string MTBmtTest::ReadFile(const std::string& name) const
+{
+  return Slurp(this->Folder / name);
+}
+
+std::vector<std::string> MTBmtTest::List() const
+{
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(this->Folder))
+  {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void MTBmtTest::MakeSphere(int triangles) const
+{
+  this->BmtJson(
+    { "generate", "fractal-sphere", "--triangles", std::to_string(triangles), "-o", this->Path("sphere.ply") });
+}
+
+void MTBmtTest::MakeModel(int triangles, int patchTriangles) const
+{
+  this->MakeSphere(triangles);
+  this->BmtJson({ "build", this->Path("sphere.ply"), "-o", this->Path("sphere.bmt"), "--patch-triangles",
+    std::to_string(patchTriangles) });
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `bmt render` and `bmt view`: pictures, figures, and what happens without a display. Runs under a virtual display.
+#include "MTRunBmt.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+
+#include <iostream>
+#include <set>
+
+namespace
+{
+struct Picture
+{
+  int Width = 0;
+  int Height = 0;
+  double Covered = 0.0; // share of pixels that are not the corner's colour
+  bool TouchesBorder = false;
+  std::size_t Colors = 0;
+};
+
+Picture Look(const std::string& path)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  Picture picture;
+  picture.Width = image->GetDimensions()[0];
+  picture.Height = image->GetDimensions()[1];
+  std::set<std::array<int, 3>> colors;
+  const auto at = [image](int x, int y)
+  {
+    const auto* pixel = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+    return std::array<int, 3>{ pixel[0], pixel[1], pixel[2] };
+  };
+  const auto background = at(0, 0);
+  std::size_t covered = 0;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 0; x < picture.Width; ++x)
+    {
+      if (at(x, y) != background)
+      {
+        ++covered;
+        colors.insert(at(x, y));
+        picture.TouchesBorder |= x == 0 || y == 0 || x + 1 == picture.Width || y + 1 == picture.Height;
+      }
+    }
+  }
+  picture.Covered = static_cast<double>(covered) / (picture.Width * picture.Height);
+  picture.Colors = colors.size();
+  return picture;
+}
+}
+
+using Render = MTBmtTest;
+
+TEST_F(Render, TheDefaultCameraShowsTheWholeModel)
+{
+  this->MakeModel(20480);
+  const nlohmann::json json =
+    this->BmtJson({ "render", this->Path("sphere.bmt"), "-o", this->Path("picture.png"), "--size", "400x300" });
+  for (const char* name : { "triangles", "patches", "pixel_error", "converged", "frame_ms", "cut_ms" })
+  {
+    EXPECT_TRUE(json.contains(name)) << name;
+  }
+  EXPECT_TRUE(json["converged"]);
+  EXPECT_LE(json["pixel_error"].get<double>(), 1.0);
+  const Picture picture = Look(this->Path("picture.png"));
+  EXPECT_EQ(picture.Width, 400);
+  EXPECT_EQ(picture.Height, 300);
+  EXPECT_GT(picture.Covered, 0.1);
+  EXPECT_FALSE(picture.TouchesBorder);
+  std::cout << json.dump() << ", covered " << picture.Covered << "\n";
+}
+
+TEST_F(Render, ASmallerPixelErrorDrawsMoreAndABudgetIsKept)
+{
+  this->MakeModel(20480);
+  const auto render = [this](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> call = { "render", this->Path("sphere.bmt"), "-o", this->Path("picture.png"), "--size",
+      "300x300" };
+    call.insert(call.end(), more.begin(), more.end());
+    return this->BmtJson(call);
+  };
+  const nlohmann::json coarse = render({ "--pixel-error", "20" });
+  const nlohmann::json fine = render({ "--pixel-error", "0.5" });
+  EXPECT_LT(coarse["triangles"].get<int>(), fine["triangles"].get<int>());
+  EXPECT_LE(coarse["pixel_error"].get<double>(), 20.0);
+  const nlohmann::json limited = render({ "--pixel-error", "0.5", "--budget", "5000" });
+  EXPECT_LE(limited["triangles"].get<int>(), 5000);
+  EXPECT_FALSE(limited["converged"].get<bool>());
+  EXPECT_GT(limited["pixel_error"].get<double>(), 0.5);
+}
+
+TEST_F(Render, CamerasAndColoursDoWhatTheySay)
+{
+  this->MakeModel(20480);
+  const auto render = [this](const std::string& name, const std::vector<std::string>& more)
+  {
+    std::vector<std::string> call = { "render", this->Path("sphere.bmt"), "-o", this->Path(name), "--size", "300x300" };
+    call.insert(call.end(), more.begin(), more.end());
+    return this->BmtJson(call);
+  };
+  render("far.png", { "--camera=0,0,-60,0,0,0,0,1,0" });
+  render("near.png", { "--camera", "-3,0,0,0,0,0,0,1,0" });
+  EXPECT_LT(Look(this->Path("far.png")).Covered, 0.1 * Look(this->Path("near.png")).Covered);
+  EXPECT_GT(Look(this->Path("far.png")).Covered, 0.0);
+
+  render("wide.png", { "--camera=0,0,-6,0,0,0,0,1,0", "--view-angle", "90" });
+  render("narrow.png", { "--camera=0,0,-6,0,0,0,0,1,0", "--view-angle", "30" });
+  EXPECT_LT(Look(this->Path("wide.png")).Covered, Look(this->Path("narrow.png")).Covered);
+
+  std::set<std::string> pictures;
+  for (const std::string what : { "level", "patch", "error", "Normals", "vtkMTInputCellIds" })
+  {
+    render("colour.png", { "--color-by", what });
+    pictures.insert(this->ReadFile("colour.png"));
+  }
+  render("colour.png", {});
+  pictures.insert(this->ReadFile("colour.png"));
+  EXPECT_EQ(pictures.size(), 6u) << "six ways of colouring, six pictures";
+  render("again.png", {});
+  EXPECT_TRUE(this->ReadFile("again.png") == this->ReadFile("colour.png")) << "the same call gives the same picture";
+
+  const MTRun unknown =
+    this->Bmt({ "render", this->Path("sphere.bmt"), "-o", this->Path("no.png"), "--color-by", "nothing" });
+  EXPECT_EQ(unknown.Exit, 1);
+  EXPECT_NE(unknown.Err.find("Normals"), std::string::npos) << "the message says what there is: " << unknown.Err;
+  const MTRun senseless =
+    this->Bmt({ "render", this->Path("sphere.bmt"), "-o", this->Path("no.png"), "--camera=0,0,0,0,0,0,0,1,0" });
+  EXPECT_EQ(senseless.Exit, 1) << senseless.Err;
+  EXPECT_FALSE(std::filesystem::exists(this->Path("no.png")));
+}
+
+TEST_F(Render, WithoutADisplayThereIsAMessageAndNoAbort)
+{
+  this->MakeModel(1280, 64);
+  for (const std::string display : { "DISPLAY", "DISPLAY=", "DISPLAY=:4711" })
+  {
+    MTRunOptions options;
+    options.Environment = { display };
+    const MTRun render = this->Bmt({ "render", this->Path("sphere.bmt"), "-o", this->Path("picture.png") }, options);
+    EXPECT_EQ(render.Exit, 1) << display << render.Err;
+    EXPECT_NE(render.Err.find("xvfb-run"), std::string::npos) << render.Err;
+    EXPECT_FALSE(std::filesystem::exists(this->Path("picture.png")));
+    const MTRun view = this->Bmt({ "view", this->Path("sphere.bmt") }, options);
+    EXPECT_EQ(view.Exit, 1) << display << view.Err;
+    EXPECT_NE(view.Err.find("xvfb-run"), std::string::npos) << view.Err;
+  }
+}
+
+TEST_F(Render, AWindowStaysOpenUntilControlC)
+{
+  this->MakeModel(1280, 64);
+  MTRunOptions options;
+  options.InterruptAfterMilliseconds = 3000;
+  const MTRun run = this->Bmt({ "view", this->Path("sphere.bmt") }, options);
+  EXPECT_EQ(run.Exit, 130) << run.Err;
+  EXPECT_NE(run.Err.find("interrupted"), std::string::npos) << run.Err;
+}
