@@ -10,8 +10,9 @@ set(MT_WITH_DISPLAY "${CMAKE_SOURCE_DIR}/CMake/with-display")
 set(MT_TEST_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Temporary")
 file(MAKE_DIRECTORY "${MT_TEST_OUTPUT_DIRECTORY}")
 
-# Builds all unit tests that need no render window: what the sanitizer presets build.
+# Builds the unit tests of these layers, which need no render window: what the sanitizer presets build and run.
 add_custom_target(mt_unit_tests)
+set(MT_LAYERS_WITHOUT_WINDOW Module Partition Simplification Construction IO Cut)
 
 # mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
 # One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under Xvfb. The program
@@ -42,7 +43,8 @@ function (mt_add_unit_test layer)
   if (arg_DISPLAY)
     # gtest_discover_tests starts the program through this, when it asks for its tests and when it runs them.
     set_property(TARGET ${target} PROPERTY CROSSCOMPILING_EMULATOR "${MT_WITH_DISPLAY}")
-  else ()
+  endif ()
+  if (layer IN_LIST MT_LAYERS_WITHOUT_WINDOW)
     add_dependencies(mt_unit_tests ${target})
   endif ()
   gtest_discover_tests(${target}
