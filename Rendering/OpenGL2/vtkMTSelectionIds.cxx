@@ -10,12 +10,29 @@
 vtkMTSelectionIds::vtkMTSelectionIds(const vtkMTGraph& graph, const vtkMTPatchArena& arena, vtkMTPatchCache& cache,
   int array, vtkMTPatchArena::DomainType domain)
   : Graph(graph)
-  , Arena(arena)
   , Cache(cache)
   , Array(array)
-  , Domain(domain)
   , Places(arena.GetPlaces(domain))
 {
+}
+
+vtkMTSelectionIds::~vtkMTSelectionIds() = default;
+
+vtkDataArray* vtkMTSelectionIds::GetValues(std::uint32_t arc)
+{
+  const auto found = this->Known.find(arc);
+  if (found != this->Known.end())
+  {
+    return found->second.Array;
+  }
+  Values values;
+  this->Cache.Request({ arc });
+  values.Patch = this->Cache.Get(arc);
+  if (values.Patch)
+  {
+    values.Array = vtkMTPatchAttributes::GetArray(this->Graph, this->Array, *values.Patch);
+  }
+  return this->Known.emplace(arc, values).first->second.Array;
 }
 
 vtkIdType vtkMTSelectionIds::GetId(std::uint64_t place)
@@ -27,20 +44,10 @@ vtkIdType vtkMTSelectionIds::GetId(std::uint64_t place)
     return unknown;
   }
   const auto found = std::prev(next);
-  const std::uint32_t arc = found->second;
-  auto patch = this->Patches.find(arc);
-  if (patch == this->Patches.end())
-  {
-    this->Cache.Request({ arc });
-    patch = this->Patches.emplace(arc, this->Cache.Get(arc)).first;
-  }
-  if (!patch->second)
-  {
-    return unknown;
-  }
-  const auto array = vtkMTPatchAttributes::GetArray(this->Graph, this->Array, *patch->second);
+  vtkDataArray* values = this->GetValues(found->second);
   const auto tuple = static_cast<vtkIdType>(place - found->first);
-  return tuple < array->GetNumberOfTuples() ? static_cast<vtkIdType>(array->GetComponent(tuple, 0)) : unknown;
+  return values && tuple < values->GetNumberOfTuples() ? static_cast<vtkIdType>(values->GetComponent(tuple, 0))
+                                                       : unknown;
 }
 
 void vtkMTSelectionIds::Translate(const std::vector<unsigned int>& offsets, const unsigned char* lowPlaces,

@@ -12,12 +12,14 @@
 
 #include "vtkMTPatchArena.h"
 #include "vtkMTPatchCache.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstdint>
 #include <map>
 #include <vector>
 
+class vtkDataArray;
 class vtkMTGraph;
 
 class vtkMTSelectionIds
@@ -26,6 +28,7 @@ public:
   /// array: of the graph's Arrays, or -1. The cache must read that array.
   vtkMTSelectionIds(const vtkMTGraph& graph, const vtkMTPatchArena& arena, vtkMTPatchCache& cache, int array,
     vtkMTPatchArena::DomainType domain);
+  ~vtkMTSelectionIds();
 
   /**
    * Rewrites one picture, at the pixels that begin at the offsets. lowPlaces and highPlaces hold what the shader wrote;
@@ -37,14 +40,18 @@ public:
 
 private:
   vtkIdType GetId(std::uint64_t place);
+  vtkDataArray* GetValues(std::uint32_t arc);
 
   const vtkMTGraph& Graph;
-  const vtkMTPatchArena& Arena;
   vtkMTPatchCache& Cache;
   int Array;
-  vtkMTPatchArena::DomainType Domain;
   std::map<std::uint64_t, std::uint32_t> Places;
-  std::map<std::uint32_t, vtkMTPatchCache::PatchPointer> Patches;
+  struct Values
+  {
+    vtkMTPatchCache::PatchPointer Patch; // whose memory the array shares
+    vtkSmartPointer<vtkDataArray> Array;
+  };
+  std::map<std::uint32_t, Values> Known; // by arc
 };
 
 #endif

@@ -56,7 +56,7 @@ vtkMultiTriangulationMapper::vtkMultiTriangulationMapper()
 vtkMultiTriangulationMapper::~vtkMultiTriangulationMapper()
 {
   // The superclass's destructor would release its own resources only.
-  this->ReleaseGraphicsResources(nullptr);
+  this->vtkMultiTriangulationMapper::ReleaseGraphicsResources(nullptr);
 }
 
 //------------------------------------------------------------------------------
