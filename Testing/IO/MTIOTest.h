@@ -76,6 +76,20 @@ inline void WriteFile(const std::string& path, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+// Sanitizers keep memory that was freed, so what a process holds says nothing.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool IsSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool IsSanitized = true;
+#else
+constexpr bool IsSanitized = false;
+#endif
+#else
+constexpr bool IsSanitized = false;
+#endif
+
+//------------------------------------------------------------------------------
 struct ChildResult
 {
   bool Crashed = false;
