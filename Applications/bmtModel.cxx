@@ -90,6 +90,13 @@ std::string GetSetting(const vtkMTGraph& graph, const std::string& name)
   return found == graph.Settings.end() ? "" : found->second;
 }
 
+// The settings of a strategy begin with its name.
+std::string GetStrategy(const vtkMTGraph& graph, const std::string& name)
+{
+  const std::string settings = GetSetting(graph, name);
+  return settings.substr(0, settings.find(' '));
+}
+
 // The largest floor over what the partition was asked for.
 double GetLargestRegion(const vtkMTGraph& graph)
 {
@@ -124,8 +131,8 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
     graph.InputTriangles > 0 ? static_cast<double>(bytes) / static_cast<double>(graph.InputTriangles) : 0.0;
   json["bounds"] = std::vector<double>(bounds, bounds + 6);
   json["arrays"] = DescribeArrays(graph.Arrays);
-  json["partition"] = GetSetting(graph, "partition");
-  json["simplifier"] = GetSetting(graph, "simplifier");
+  json["partition"] = GetStrategy(graph, "partition");
+  json["simplifier"] = GetStrategy(graph, "simplifier");
   json["settings"] = DescribeMap(graph.Settings);
   json["conditioning"]["depth"] = conditioning.Depth;
   json["conditioning"]["diameter_ratio"] = conditioning.DiameterRatio;
