@@ -505,6 +505,7 @@ private:
     this->Graph.Settings["partition"] = this->Options.Partition->GetSettings();
     this->Graph.Settings["simplifier"] = this->Options.Simplifier->GetSettings();
     this->Graph.Settings["patch_triangles"] = std::to_string(this->Options.PatchTriangles);
+    this->Graph.Settings["floor_triangles"] = std::to_string(std::llround(2.0 * this->GetRegionTarget()));
     return this->Sink.Finish(this->Graph, patchOfArc) || this->Fail(this->Sink.GetError());
   }
 

@@ -157,6 +157,12 @@ public:
   void EndCollapse(Vertex kept);
   ///@}
 
+  /**
+   * Closes holes of three edges between points that are free, with a bounding-box diagonal (in steps of the lattice) of
+   * at most the given one, by a triangle each. Gives their number.
+   */
+  std::size_t CloseHoles(double maximumDiagonal);
+
   /// The fragment as it is now. Blocked and RemovedComponents are left alone.
   void Extract(vtkMTSimplification& result) const;
   /// Counts the edges left by what keeps them from collapsing. Where rules, topology and chords would let them, that is
@@ -178,6 +184,8 @@ private:
   void LinkBorders(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges);
   void FillStates(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges);
   unsigned char ComputeRank(Vertex v) const;
+  bool IsClosableHole(Halfedge h, double maximumDiagonal) const;
+  void CloseHole(Halfedge h);
   Rule GetRuleOfRanks(Halfedge h, unsigned char r0, unsigned char r1) const;
   bool CanSlide(Halfedge h) const;
   bool IsNextToOtherFan(Vertex v, Vertex fan) const;

@@ -98,7 +98,8 @@ bool vtkMTEdgeCollapse::SimplifyOrThrow(const vtkMTPatch& floor, const std::vect
   region.Target = target;
   region.StepLimit = static_cast<std::uint64_t>(this->StepsPerEdge) * (region.Surface.number_of_edges() + 1);
   fans = {};
-  if (!this->Collapse(region, error))
+  const double smallPart = this->ComponentBound * GetDiagonal(floor.GetBox());
+  if (!this->Collapse(region, smallPart, error))
   {
     return false;
   }
@@ -107,13 +108,13 @@ bool vtkMTEdgeCollapse::SimplifyOrThrow(const vtkMTPatch& floor, const std::vect
   {
     region.CountBlocked(result.Blocked);
     vtkMTComponentRemoval removal;
-    removal.MaximumDiagonal = this->ComponentBound * GetDiagonal(floor.GetBox());
+    removal.MaximumDiagonal = smallPart;
     removal.Remove(locked, target, result);
   }
   return true;
 }
 
-bool vtkMTEdgeCollapse::Collapse(vtkMTCollapseRegion& region, std::string& error) const
+bool vtkMTEdgeCollapse::Collapse(vtkMTCollapseRegion& region, double largestHole, std::string& error) const
 {
   try
   {
@@ -121,7 +122,8 @@ bool vtkMTEdgeCollapse::Collapse(vtkMTCollapseRegion& region, std::string& error
     {
       const std::size_t before = region.Faces;
       Modes[this->Mode].Run(region);
-      if (region.Faces == before)
+      const bool stuck = region.Faces == before;
+      if (stuck && region.CloseHoles(largestHole) == 0)
       {
         break;
       }

@@ -8,8 +8,9 @@
  * everything non-manifold keeps its place. A collapse is refused when it would break the link condition, turn a
  * triangle by a right angle or more, lay two neighbouring triangles back to back, or join two locked points by a new
  * edge (two regions might each make that edge). Where seams run, collapses follow them, so every triangle keeps
- * attributes of one side. Closed components end as tetrahedra at the least. When a floor stays above its target, whole
- * small components are left out (see vtkMTComponentRemoval), and what remains is counted by cause.
+ * attributes of one side. Closed components end as tetrahedra at the least. When a floor stays above its target, small
+ * holes are closed, which no outside triangle touches and which have shrunk to three edges; then whole small components
+ * are left out (see vtkMTComponentRemoval), and what remains is counted by cause.
  *
  * Modes. FAST uses memoryless area-weighted quadrics (Garland and Heckbert 1997; Lindstrom and Turk, "Evaluation of
  * Memoryless Simplification", 1999) and asks again, after a collapse, for the costs at the kept vertex only. BEST is
@@ -52,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Components with a bounding-box diagonal above this are never left out. Unit: diagonals of the floor's own
-   * box. Default 0.125, range 0 (none is ever left out) to 1; values outside are clamped.
+   * Components with a bounding-box diagonal above this are never left out, and such holes never closed. Unit:
+   * diagonals of the floor's own box. Default 0.125, range 0 (never any) to 1; values outside are clamped.
    */
   vtkSetClampMacro(ComponentBound, double, 0.0, 1.0);
   vtkGetMacro(ComponentBound, double);
@@ -86,7 +87,7 @@ private:
 
   bool SimplifyOrThrow(const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::size_t target,
     vtkMTSimplification& result, std::string& error) const;
-  bool Collapse(vtkMTCollapseRegion& region, std::string& error) const;
+  bool Collapse(vtkMTCollapseRegion& region, double largestHole, std::string& error) const;
 
   int Mode = FAST;
   double ComponentBound = 0.125;
