@@ -7,8 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
+#include <cstdio>
 #include <new>
+#include <string>
 
 namespace
 {
@@ -52,9 +53,8 @@ int RunCommand(const bmtContext& context)
   }
   return bmtExit::Failure;
 }
-}
 
-int main(int argc, char* argv[])
+int ParseAndRun(int argc, char* argv[])
 {
   bmtCatchInterrupts();
   bmtInstallOutputWindow();
@@ -75,4 +75,18 @@ int main(int argc, char* argv[])
     return bmtExit::Usage;
   }
   return RunCommand(context);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    return ParseAndRun(argc, argv);
+  }
+  catch (...)
+  {
+    std::fputs("bmt: out of memory before the work began\n", stderr);
+    return bmtExit::Failure;
+  }
 }

@@ -67,7 +67,8 @@ Tile ReadTile(const std::string& path)
   Tile tile;
   ParseName(path, tile);
   const std::vector<unsigned char> bytes = ReadAll(path);
-  tile.Size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(bytes.size() / 2))));
+  const std::size_t samples = bytes.size() / 2;
+  tile.Size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(samples))));
   if (tile.Size < 2 || 2 * tile.Size * tile.Size != bytes.size())
   {
     throw std::runtime_error(path + ": " + std::to_string(bytes.size()) + " bytes are no square tile");
@@ -166,6 +167,7 @@ void AddTriangle(vtkCellArray* triangles, vtkIdType a, vtkIdType b, vtkIdType c)
 void MakeTerrain(const std::vector<std::string>& tiles, vtkPolyData* mesh)
 {
   std::vector<Tile> read;
+  read.reserve(tiles.size());
   for (const std::string& tile : tiles)
   {
     read.push_back(ReadTile(tile));

@@ -21,6 +21,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -90,9 +91,8 @@ void WriteMesh(const std::string& path, vtkPolyData* mesh)
   }
   std::cout << path << ": " << mesh->GetNumberOfPolys() << " triangles, " << mesh->GetNumberOfPoints() << " points\n";
 }
-}
 
-int main(int argc, char* argv[])
+int Run(int argc, char* argv[])
 {
   CLI::App app("Makes triangle meshes of real data.", "meshes_from_data");
   app.require_subcommand(1);
@@ -112,23 +112,29 @@ int main(int argc, char* argv[])
   isosurface->add_option("-o,--output", isosurfaceOutput, "The mesh to write: .ply, .stl, .obj or .vtp")->required();
   CLI11_PARSE(app, argc, argv);
 
+  vtkNew<vtkPolyData> mesh;
+  if (*terrain)
+  {
+    MakeTerrain(tiles, mesh);
+  }
+  else
+  {
+    MakeIsosurface(volume, value, mesh);
+  }
+  WriteMesh(*terrain ? terrainOutput : isosurfaceOutput, mesh);
+  return 0;
+}
+}
+
+int main(int argc, char* argv[])
+{
   try
   {
-    vtkNew<vtkPolyData> mesh;
-    if (*terrain)
-    {
-      MakeTerrain(tiles, mesh);
-    }
-    else
-    {
-      MakeIsosurface(volume, value, mesh);
-    }
-    WriteMesh(*terrain ? terrainOutput : isosurfaceOutput, mesh);
+    return Run(argc, argv);
   }
   catch (const std::exception& error)
   {
-    std::cerr << "meshes_from_data: " << error.what() << "\n";
+    std::fprintf(stderr, "meshes_from_data: %s\n", error.what());
     return 1;
   }
-  return 0;
 }

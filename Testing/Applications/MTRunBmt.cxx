@@ -24,6 +24,25 @@ std::string Slurp(const std::filesystem::path& path)
   return bytes.str();
 }
 
+// Waits until the child has a handler for SIGINT, however slowly the machine starts it, or 30 seconds.
+void WaitForHandler(pid_t child)
+{
+  for (int i = 0; i < 3000; ++i)
+  {
+    std::ifstream status("/proc/" + std::to_string(child) + "/status");
+    std::string word;
+    while (status >> word && word != "SigCgt:")
+    {
+    }
+    unsigned long long caught = 0;
+    if (status >> std::hex >> caught && (caught >> (SIGINT - 1)) & 1)
+    {
+      return;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 [[noreturn]] void RunChild(const std::vector<std::string>& arguments, const MTRunOptions& options,
   const std::filesystem::path& out, const std::filesystem::path& err)
 {
@@ -88,6 +107,7 @@ MTRun MTBmtTest::Bmt(const std::vector<std::string>& arguments, const MTRunOptio
   }
   if (options.InterruptAfterMilliseconds >= 0)
   {
+    WaitForHandler(child);
     std::this_thread::sleep_for(std::chrono::milliseconds(options.InterruptAfterMilliseconds));
     kill(child, SIGINT);
   }
@@ -106,7 +126,7 @@ MTRun MTBmtTest::Bmt(const std::vector<std::string>& arguments, const MTRunOptio
 
 nlohmann::json MTBmtTest::BmtJson(std::vector<std::string> arguments) const
 {
-  arguments.push_back("--json");
+  arguments.emplace_back("--json");
   const MTRun run = this->Bmt(arguments);
   EXPECT_EQ(run.Exit, 0) << arguments.front() << ": " << run.Err;
   return run.Json();

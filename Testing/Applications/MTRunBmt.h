@@ -26,7 +26,7 @@ struct MTRun
 struct MTRunOptions
 {
   std::vector<std::string> Environment; ///< NAME=VALUE, or NAME to take it away
-  int InterruptAfterMilliseconds = -1;  ///< send SIGINT then
+  int InterruptAfterMilliseconds = -1;  ///< send SIGINT so long after the program is up
 };
 
 /// A new, empty folder for each test; its files are removed when the test passed.

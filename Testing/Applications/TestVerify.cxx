@@ -66,7 +66,7 @@ protected:
       call.insert(call.end(), { "--input", this->Path("sphere.ply") });
     }
     const MTRun run = this->Bmt(call);
-    const nlohmann::json report = run.Json();
+    nlohmann::json report = run.Json();
     EXPECT_EQ(run.Exit, report["ok"].get<bool>() ? 0 : 1) << run.Err;
     EXPECT_EQ(run.Err.empty(), report["ok"].get<bool>()) << run.Err;
     return report;
