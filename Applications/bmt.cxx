@@ -40,7 +40,7 @@ int RunCommand(const bmtContext& context)
   }
   catch (const bmtInterrupt&)
   {
-    bmtWarn("interrupted; no output was written");
+    bmtWarn("interrupted; outputs are as they were");
     return bmtExit::Interrupted;
   }
   catch (const std::bad_alloc&)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """pipeline.py MESH PICTURE.png
 
-Builds a Multi-Triangulation of a mesh in memory and draws it through an ordinary actor. PYTHONPATH must name the toolkit's
-site-packages (build/lib/python3.11/site-packages); without a screen run it under xvfb-run.
+Builds a Multi-Triangulation of a mesh in memory and draws it through an ordinary actor. PYTHONPATH must name the
+toolkit's site-packages (build/lib/python3.11/site-packages); without a screen run it under xvfb-run.
 """
 import sys
 
