@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// consumer FILE: builds a small Multi-Triangulation with the installed headers and libraries, writes it and checks what is in the file.
+// consumer FILE: builds a small Multi-Triangulation with the installed headers and libraries, writes it and checks what
+// is in the file.
 #include <vtkMTValidate.h>
 #include <vtkMultiTriangulation.h>
 #include <vtkMultiTriangulationBuilder.h>
