@@ -20,6 +20,7 @@ vtkMTColumn Gather(const vtkMTColumn& column, std::size_t tupleSize, const std::
 std::vector<std::size_t> GetTupleSizes(const std::vector<vtkMTColumn>& columns, std::size_t tuples)
 {
   std::vector<std::size_t> sizes;
+  sizes.reserve(columns.size());
   for (const vtkMTColumn& column : columns)
   {
     sizes.push_back(tuples > 0 ? column.size() / tuples : 0);
