@@ -206,7 +206,7 @@ void vtkMTPolyDataStream::Internals::AddArrays(
     info.Resampling = ChooseResampling(info);
     for (int c = 0; array->HasAComponentName() && c < info.Components; ++c)
     {
-      info.ComponentNames.push_back(array->GetComponentName(c) ? array->GetComponentName(c) : "");
+      info.ComponentNames.emplace_back(array->GetComponentName(c) ? array->GetComponentName(c) : "");
     }
     const std::string reason = GetReasonToLeaveOut(array, tuples, info.GetTupleSize());
     if (!reason.empty())

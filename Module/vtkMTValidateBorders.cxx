@@ -333,7 +333,7 @@ vtkMTValidate::Borders::~Borders() = default;
 vtkMTValidate::Result vtkMTValidate::Borders::Load(const vtkMTPatchSource& source)
 {
   Result result;
-  this->Implementation.reset(new Internals);
+  this->Implementation = std::make_unique<Internals>();
   this->Implementation->Graph = &source.GetGraph();
   this->Implementation->Patches.resize(source.GetGraph().Arcs.size());
   this->Implementation->LoadPatches(source, result);

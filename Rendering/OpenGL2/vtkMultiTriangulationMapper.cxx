@@ -101,7 +101,7 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetCellIdArrayName(other->GetCellIdArrayName());
   }
   // Not the superclass's: in VTK 9.1 it warns of its own use of deprecated methods, and does no more than the above.
-  this->vtkPolyDataMapper::ShallowCopy(mapper);
+  this->vtkPolyDataMapper::ShallowCopy(mapper); // NOLINT(bugprone-parent-virtual-call)
 }
 
 //------------------------------------------------------------------------------
