@@ -69,14 +69,14 @@ vtkMTFileSource::~vtkMTFileSource() = default;
 bool vtkMTFileSource::Open(const std::string& path, std::string& error)
 {
   this->Graph = vtkMTGraph();
-  this->Implementation.reset(new Internals);
+  this->Implementation = std::make_unique<Internals>();
   std::shared_ptr<const vtkMTByteSource> bytes = vtkMTFileByteSource::Open(path, error);
   return bytes && this->Open(bytes, error);
 }
 
 bool vtkMTFileSource::Open(std::shared_ptr<const vtkMTByteSource> bytes, std::string& error)
 {
-  this->Implementation.reset(new Internals);
+  this->Implementation = std::make_unique<Internals>();
   bool opened = false;
   std::string reason;
   try
@@ -91,7 +91,7 @@ bool vtkMTFileSource::Open(std::shared_ptr<const vtkMTByteSource> bytes, std::st
   {
     error = bytes->GetName() + ": " + reason;
     this->Graph = vtkMTGraph();
-    this->Implementation.reset(new Internals);
+    this->Implementation = std::make_unique<Internals>();
     return false;
   }
   this->Implementation->Bytes = std::move(bytes);

@@ -187,7 +187,8 @@ bool vtkMTPlyRows::ReadCount(const vtkMTPlyProperty& property, std::uint64_t& co
   const bool isText = this->Header.Format == vtkMTPlyHeader::Ascii;
   const std::uint64_t left = isText ? this->Line.size() : this->Stream.GetLeft();
   const std::uint64_t each = isText ? 2 : vtkMTPlyHeader::GetSize(property.Type); // a space and a digit
-  if (value < 0.0 || value > static_cast<double>(left / each))
+  const std::uint64_t most = left / each;
+  if (value < 0.0 || value > static_cast<double>(most))
   {
     return this->Fail(
       "the list " + property.Name + " has the impossible count " + std::to_string(static_cast<std::int64_t>(value)));
