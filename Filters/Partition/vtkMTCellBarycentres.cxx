@@ -101,7 +101,7 @@ std::unique_ptr<vtkMTPartition> vtkMTCellBarycentres::Build(const vtkMTPartition
 vtkSmartPointer<vtkIdTypeArray> vtkMTCellBarycentres::MakeRegionArray(
   const vtkMTPartition& partition, const std::vector<Point>& barycentres, const std::string& name)
 {
-  const auto regions = vtkSmartPointer<vtkIdTypeArray>::New();
+  auto regions = vtkSmartPointer<vtkIdTypeArray>::New();
   regions->SetName(name.c_str());
   regions->SetNumberOfTuples(static_cast<vtkIdType>(barycentres.size()));
   vtkMTLocateBlock::Locate(partition, barycentres.data(), barycentres.size(), regions->GetPointer(0));
