@@ -55,8 +55,9 @@ public:
       const vtkMTNode& to = this->Graph.Nodes[this->Graph.Arcs[arc].To];
       if (this->Graph.Arcs[arc].From != this->Graph.GetSource())
       {
-        // Both ways of saying it: the error falls, and it falls by the step's own error at least.
-        this->Test(to.Error + from.StepError, from.Error * (1.0 + Rounding), "error", arc);
+        // The error never grows towards the input, and covers the node's own and the lattice's rounding.
+        this->Test(to.Error, from.Error, "error", arc);
+        this->Test(from.OwnError + this->Graph.Nodes.back().Error, from.Error * (1.0 + Rounding), "own error", arc);
         this->Test(to.EdgeLength, from.EdgeLength * (1.0 + Rounding), "edge length", arc);
       }
       if (this->Graph.Arcs[arc].To != this->Graph.GetSink()) // the sink's sphere is the whole model's

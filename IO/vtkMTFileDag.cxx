@@ -36,7 +36,7 @@ struct Layout
 // Records
 NodeRecord ToRecord(const vtkMTNode& node)
 {
-  return { node.Error, node.StepError, node.EdgeLength, { node.Center[0], node.Center[1], node.Center[2] }, node.Radius,
+  return { node.Error, node.OwnError, node.EdgeLength, { node.Center[0], node.Center[1], node.Center[2] }, node.Radius,
     node.Level, node.Region };
 }
 
@@ -44,7 +44,7 @@ vtkMTNode FromRecord(const NodeRecord& record)
 {
   vtkMTNode node;
   node.Error = record.Error;
-  node.StepError = record.StepError;
+  node.OwnError = record.OwnError;
   node.EdgeLength = record.EdgeLength;
   node.Center = { record.Center[0], record.Center[1], record.Center[2] };
   node.Radius = record.Radius;
@@ -131,7 +131,7 @@ bool CheckLattice(const vtkMTLattice& lattice, std::string& error)
 
 bool CheckNode(const vtkMTNode& node)
 {
-  return IsLength(node.Error) && IsLength(node.StepError) && IsLength(node.EdgeLength) && IsLength(node.Radius) &&
+  return IsLength(node.Error) && IsLength(node.OwnError) && IsLength(node.EdgeLength) && IsLength(node.Radius) &&
     std::isfinite(node.Center[0]) && std::isfinite(node.Center[1]) && std::isfinite(node.Center[2]);
 }
 

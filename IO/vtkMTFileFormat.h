@@ -53,7 +53,7 @@ static_assert(offsetof(Header, HeaderChecksum) == 248, "the checksum is over the
 struct NodeRecord
 {
   double Error;
-  double StepError;
+  double OwnError;
   double EdgeLength;
   double Center[3];
   double Radius;

@@ -252,16 +252,17 @@ void vtkMTGraph::Saturate(double sinkError)
   std::vector<Ball> spheres(this->Nodes.size()); // in steps
   std::vector<Ball> inside;
   this->Nodes.front().Level = this->GetNumberOfLevels();
-  this->Nodes.front().StepError = 0.0;
+  this->Nodes.front().OwnError = 0.0;
   for (std::uint32_t index = sink + 1; index-- > 0;)
   {
     vtkMTNode& node = this->Nodes[index];
     inside.clear();
-    double below = index == sink ? sinkError : 0.0;
+    // The source has no fragment, only what is below it.
+    node.Error = index == 0 ? 0.0 : AddUp(node.OwnError, sinkError);
     for (std::uint32_t i = 0; i < node.OutCount; ++i)
     {
       const vtkMTArc& arc = this->Arcs[node.FirstOut + i];
-      below = std::max(below, this->Nodes[arc.To].Error);
+      node.Error = std::max(node.Error, this->Nodes[arc.To].Error);
       node.EdgeLength = std::max(node.EdgeLength, this->Nodes[arc.To].EdgeLength);
       AddCorners(arc.Box, inside);
       if (arc.To != sink)
@@ -281,7 +282,6 @@ void vtkMTGraph::Saturate(double sinkError)
         AddCorners(arc.Box, inside);
       }
     }
-    node.Error = AddUp(node.StepError, below);
     spheres[index] = Enclose(inside);
     node.Center = this->Lattice.ToWorld(spheres[index].Center);
     node.Radius = spheres[index].Radius * this->Lattice.Step;

@@ -9,11 +9,13 @@
  * that leave it carry the coarsest patches; the last node is the sink, the arcs that enter it carry the finest ones.
  * Every arc runs from a smaller to a larger node index, which is the proof that the graph has no cycle.
  *
- * The error of an arc's patch is that of the node which the arc enters. Errors are saturated: Error(n) = StepError(n) +
- * the largest Error over the nodes that the arcs leaving n enter, so every point of the fragment is within Error(n) of
- * the input surface, and Error falls along every path. EdgeLength is the largest of the fragment's own mean edge length
- * and of those of the nodes below. The sphere of a node holds its fragment, its floor and the spheres of the nodes that
- * the arcs leaving it enter; the sink's sphere is the whole model's.
+ * The error of an arc's patch is that of the node which the arc enters. Every point of a fragment is within the node's
+ * OwnError of the input's surface on the lattice, and the part of the input that the fragment stands for is no farther
+ * from it. Errors are saturated: Error(n) is the largest of OwnError(n) with the lattice's rounding added, and of the
+ * Error of the nodes that the arcs leaving n enter, so Error never grows along a path towards the sink. EdgeLength is
+ * the largest of the fragment's own mean edge length and of those of the nodes below. The sphere of a node holds its
+ * fragment, its floor and the spheres of the nodes that the arcs leaving it enter; the sink's sphere is the whole
+ * model's.
  */
 #ifndef vtkMTGraph_h
 #define vtkMTGraph_h
@@ -30,9 +32,9 @@
 
 struct vtkMTNode
 {
-  double Error = 0.0; ///< saturated certified distance to the input, model units; at the sink the lattice's rounding
-  double StepError = 0.0;  ///< certified two-sided distance between this node's floor and fragment, model units
-  double EdgeLength = 0.0; ///< saturated mean edge length of the fragment, model units
+  double Error = 0.0;    ///< saturated certified distance to the input, model units; at the sink the lattice's rounding
+  double OwnError = 0.0; ///< certified two-sided distance of this node's fragment and the snapped input, model units
+  double EdgeLength = 0.0;                       ///< saturated mean edge length of the fragment, model units
   std::array<double, 3> Center{ 0.0, 0.0, 0.0 }; ///< of the saturated sphere, model units
   double Radius = 0.0;
   std::uint32_t FirstOut = 0; ///< the arcs that leave are Arcs[FirstOut .. FirstOut + OutCount)
@@ -91,7 +93,7 @@ public:
   std::vector<std::uint32_t> Index();
 
   /**
-   * Fills Error, EdgeLength and the spheres from the nodes' StepError, their own mean edge length (in EdgeLength) and
+   * Fills Error, EdgeLength and the spheres from the nodes' OwnError, their own mean edge length (in EdgeLength) and
    * the arcs' boxes; sinkError is the lattice's rounding. Call after Index().
    */
   void Saturate(double sinkError);

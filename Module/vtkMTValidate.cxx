@@ -180,17 +180,20 @@ void CheckSaturation(const vtkMTGraph& graph, Result& result)
   {
     const vtkMTNode& node = graph.Nodes[i];
     Expect(result, "graph",
-      std::isfinite(node.Error) && node.Error >= 0.0 && std::isfinite(node.StepError) && node.StepError >= 0.0 &&
+      std::isfinite(node.Error) && node.Error >= 0.0 && std::isfinite(node.OwnError) && node.OwnError >= 0.0 &&
         std::isfinite(node.EdgeLength) && node.EdgeLength >= 0.0 && std::isfinite(node.Radius) && node.Radius >= 0.0,
       "node ", i, " has an error, an edge length or a radius that is negative or no number");
+    const double rounding = i == graph.GetSource() ? 0.0 : graph.Nodes.back().Error;
+    Expect(result, "graph", node.Error >= node.OwnError + rounding, "the error ", node.Error, " of node ", i,
+      " is less than its own ", node.OwnError, " with the lattice's rounding ", rounding);
     const Sphere sphere(graph.Lattice, node);
     for (std::uint32_t a = 0; a < node.OutCount; ++a)
     {
       const std::uint32_t index = node.FirstOut + a;
       const std::uint32_t to = graph.Arcs[index].To;
       const vtkMTNode& finer = graph.Nodes[to];
-      Expect(result, "graph", node.Error >= node.StepError + finer.Error, "the error ", node.Error, " of node ", i,
-        " is not saturated: its own step ", node.StepError, ", node ", to, " below has ", finer.Error);
+      Expect(result, "graph", node.Error >= finer.Error, "the error ", node.Error, " of node ", i,
+        " is not saturated: node ", to, " below has ", finer.Error);
       Expect(result, "graph", node.EdgeLength >= finer.EdgeLength, "the edge length ", node.EdgeLength, " of node ", i,
         " is not saturated: node ", to, " below has ", finer.EdgeLength);
       Expect(result, "graph", sphere.Holds(graph.Arcs[index].Box), "the sphere of node ", i,

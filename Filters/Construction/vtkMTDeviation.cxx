@@ -126,15 +126,27 @@ bool IsCoplanar(const vtkMTTriangleTree& treeOfT, std::uint32_t t, const vtkMTTr
   return true;
 }
 
-// One direction: how far the triangles of one mesh are from the other.
+// One direction: how far the triangles of one mesh are from the other. What is known of either side's triangles already
+// is added to a distance: `before` of the triangle itself, `after` of the one that it is held against.
 class OneSided
 {
 public:
+  // What a triangle of the other mesh gives for a piece.
+  struct Match
+  {
+    double Bound = std::numeric_limits<double>::infinity();
+    std::uint32_t Triangle = vtkMTTriangleTree::None;
+  };
+
   OneSided(const vtkMTTriangleTree& from, const vtkMTTriangleTree& to, vtkMTDeviation& result, double slack)
     : From(from)
     , To(to)
     , Result(result)
     , Slack(slack)
+    , Before(from.GetNumberOfTriangles(), 0.0f)
+    , After(to.GetNumberOfTriangles(), 0.0f)
+    , BoundOfTriangle(from.GetNumberOfTriangles(), 0.0)
+    , BoundOnTriangle(to.GetNumberOfTriangles(), 0.0)
   {
   }
 
@@ -157,7 +169,7 @@ public:
         std::uint32_t& nearest = this->NearestToPoint[points[c]];
         if (nearest == vtkMTTriangleTree::None)
         {
-          nearest = this->Visit(this->From.GetCorner(t, c), guess);
+          nearest = this->Visit(this->From.GetCorner(t, c), t, guess);
           guess = nearest;
         }
       }
@@ -175,82 +187,108 @@ public:
         piece.Append(this->From.GetCorner(t, c));
       }
       const vtkMTTriangle points = mesh.GetPointsOfTriangle(t);
-      Entry best{ piece, std::numeric_limits<double>::infinity(), this->NearestToPoint[points[0]], false };
-      for (int c = 0; c < 3; ++c)
+      Entry whole{ piece, Match(), this->NearestToPoint[points[0]], false };
+      for (int c = 0; c < 3 && !this->IsNearEnough(whole.Best.Bound, 0.0); ++c)
       {
-        const std::uint32_t s = this->NearestToPoint[points[c]];
-        const double bound = this->GetBound(piece, s, best.Bound);
-        if (bound < best.Bound)
-        {
-          best.Bound = bound;
-          best.Guess = s;
-        }
-        if (this->Accept(best.Bound))
-        {
-          break;
-        }
+        this->Improve(whole, this->NearestToPoint[points[c]]);
       }
-      if (!this->IsNearEnough(best.Bound))
+      if (!this->Accept(whole, 0.0))
       {
-        this->BoundPieces(best, budget);
+        whole.Guess = whole.Best.Triangle != vtkMTTriangleTree::None ? whole.Best.Triangle : whole.Guess;
+        this->BoundPieces(whole, budget);
       }
     }
   }
+
+  std::vector<float>& GetBefore() { return this->Before; }
+  std::vector<float>& GetAfter() { return this->After; }
+  /// The largest bound of a triangle's pieces, and of the pieces that were held against a triangle.
+  const std::vector<double>& GetBoundOfTriangle() const { return this->BoundOfTriangle; }
+  const std::vector<double>& GetBoundOnTriangle() const { return this->BoundOnTriangle; }
 
 private:
   struct Entry
   {
     Piece Shape;
-    double Bound;        // by some triangle; a part is within its whole's bound
+    Match Best;          // a part is within its whole's bound
     std::uint32_t Guess; // a triangle of the other mesh that may lie below
     bool IsNearest;      // the guess is the triangle nearest to the piece's middle
   };
 
-  // Raises the lower bound by the true distance at x; gives a triangle that is nearest, or near enough.
-  std::uint32_t Visit(const Vector& x, std::uint32_t guess)
+  // Raises the lower bound by what is true at x; gives a triangle that is nearest, or near enough.
+  std::uint32_t Visit(const Vector& x, std::uint32_t triangle, std::uint32_t guess)
   {
-    const double enough = this->Result.LowerBound;
-    if (guess != vtkMTTriangleTree::None && this->To.GetDistance2(x, guess, enough * enough) < enough * enough)
+    if (guess != vtkMTTriangleTree::None)
     {
-      return guess;
+      const double enough = this->Result.LowerBound - this->Before[triangle] - this->After[guess];
+      if (enough > 0.0 && this->To.GetDistance2(x, guess, enough * enough) < enough * enough)
+      {
+        return guess;
+      }
     }
-    return this->FindNearest(x, guess);
+    this->FindNearest(x, triangle, guess);
+    return guess;
   }
 
-  std::uint32_t FindNearest(const Vector& x, std::uint32_t guess)
+  // Makes the guess the triangle nearest to x and raises the lower bound; gives what is true at x.
+  double FindNearest(const Vector& x, std::uint32_t triangle, std::uint32_t& guess)
   {
     const vtkMTTriangleTree::Hit hit = this->To.FindNearest(x, guess);
+    guess = hit.Triangle;
     // What rounding may have added must not raise the lower bound.
-    this->Result.LowerBound = std::max(this->Result.LowerBound, std::sqrt(hit.Distance2) - this->Slack);
-    return hit.Triangle;
+    const double here =
+      std::max(0.0, std::sqrt(hit.Distance2) - this->Slack) + this->Before[triangle] + this->After[hit.Triangle];
+    this->Result.LowerBound = std::max(this->Result.LowerBound, here);
+    return here;
   }
 
-  // The largest corner distance to one triangle; infinity when it is not below the limit.
-  double GetBound(const Piece& piece, std::uint32_t s, double limit) const
+  // Holds the piece against one triangle: its largest corner distance.
+  void Improve(Entry& entry, std::uint32_t s) const
   {
+    const Piece& piece = entry.Shape;
+    const double added = static_cast<double>(this->Before[piece.Triangle]) + this->After[s];
+    const double limit = entry.Best.Bound - added;
+    if (!(limit > 0.0))
+    {
+      return;
+    }
     double distance2 = 0.0;
     for (int i = 0; i < piece.Count && distance2 < limit * limit; ++i)
     {
       distance2 = std::max(distance2, this->To.GetDistance2(piece.Corners[i], s, limit * limit));
     }
     const double distance = std::sqrt(distance2);
-    return distance <= this->Slack && IsCoplanar(this->From, piece.Triangle, this->To, s) ? 0.0
-                                                                                          : distance + this->Slack;
+    const bool isZero = distance <= this->Slack && IsCoplanar(this->From, piece.Triangle, this->To, s);
+    const double bound = added + (isZero ? 0.0 : distance + this->Slack);
+    if (bound < entry.Best.Bound)
+    {
+      entry.Best = { bound, s };
+    }
   }
 
-  bool IsNearEnough(double bound) const
+  bool IsNearEnough(double bound, double trueHere) const
   {
-    return bound <= std::max(vtkMTDeviation::Looseness * this->Result.LowerBound, 2.0 * this->Slack);
+    return bound <= std::max({ vtkMTDeviation::Share * this->Result.LowerBound, vtkMTDeviation::Looseness * trueHere,
+                      2.0 * this->Slack });
   }
 
-  bool Accept(double bound)
+  bool Accept(const Entry& entry, double trueHere)
   {
-    if (!this->IsNearEnough(bound))
+    if (!this->IsNearEnough(entry.Best.Bound, trueHere))
     {
       return false;
     }
-    this->Result.UpperBound = std::max(this->Result.UpperBound, bound);
+    this->Credit(entry);
     return true;
+  }
+
+  void Credit(const Entry& entry)
+  {
+    double& of = this->BoundOfTriangle[entry.Shape.Triangle];
+    double& on = this->BoundOnTriangle[entry.Best.Triangle];
+    of = std::max(of, entry.Best.Bound);
+    on = std::max(on, entry.Best.Bound);
+    this->Result.UpperBound = std::max(this->Result.UpperBound, entry.Best.Bound);
   }
 
   void BoundPieces(const Entry& whole, std::size_t& budget)
@@ -263,7 +301,7 @@ private:
       if (budget == 0 || entry.Shape.Depth >= MaximumDepth)
       {
         this->Result.BudgetUsedUp = true;
-        this->Result.UpperBound = std::max(this->Result.UpperBound, entry.Bound);
+        this->Credit(entry);
         continue;
       }
       --budget;
@@ -274,22 +312,26 @@ private:
 
   void BoundPiece(Entry entry)
   {
+    double trueHere = 0.0;
     if (entry.Guess == vtkMTTriangleTree::None)
     {
-      entry.Guess = this->FindNearest(entry.Shape.GetMiddle(), entry.Guess);
+      trueHere = this->FindNearest(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
       entry.IsNearest = true;
     }
-    entry.Bound = std::min(entry.Bound, this->GetBound(entry.Shape, entry.Guess, entry.Bound));
-    if (this->Accept(entry.Bound) || this->CutAlong(entry))
+    this->Improve(entry, entry.Guess);
+    if (this->Accept(entry, trueHere) || this->CutAlong(entry))
     {
       return;
     }
     if (!entry.IsNearest)
     {
-      entry.Guess = this->FindNearest(entry.Shape.GetMiddle(), entry.Guess);
+      trueHere = this->FindNearest(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
       entry.IsNearest = true;
-      this->Stack.push_back(entry);
-      return;
+      this->Improve(entry, entry.Guess);
+      if (this->Accept(entry, trueHere) || this->CutAlong(entry))
+      {
+        return;
+      }
     }
     this->CutInHalves(entry);
   }
@@ -314,7 +356,7 @@ private:
       Piece outside;
       if (Split(rest, a, inward, this->Slack, inside, outside))
       {
-        this->Stack.push_back({ outside, entry.Bound, this->To.GetNeighbor(entry.Guess, e), false });
+        this->Stack.push_back({ outside, entry.Best, this->To.GetNeighbor(entry.Guess, e), false });
         rest = inside;
       }
       else if (inside.Count == 0)
@@ -327,38 +369,50 @@ private:
     {
       return false; // all of it is
     }
-    this->Stack.push_back({ rest, entry.Bound, entry.Guess, false });
+    this->Stack.push_back({ rest, entry.Best, entry.Guess, false });
     return true;
   }
 
   void CutInHalves(const Entry& entry)
   {
+    double trueHere = 0.0;
     for (int i = 0; i < entry.Shape.Count; ++i)
     {
-      this->FindNearest(entry.Shape.Corners[i], entry.Guess);
+      std::uint32_t guess = entry.Guess;
+      trueHere = std::max(trueHere, this->FindNearest(entry.Shape.Corners[i], entry.Shape.Triangle, guess));
     }
     Piece one;
     Piece other;
-    if (this->Accept(entry.Bound))
+    if (this->Accept(entry, trueHere))
     {
       return;
     }
     if (Halve(entry.Shape, this->Slack, one, other))
     {
-      this->Stack.push_back({ one, entry.Bound, entry.Guess, false });
-      this->Stack.push_back({ other, entry.Bound, entry.Guess, false });
+      this->Stack.push_back({ one, entry.Best, entry.Guess, false });
+      this->Stack.push_back({ other, entry.Best, entry.Guess, false });
       return;
     }
-    this->Result.UpperBound = std::max(this->Result.UpperBound, entry.Bound); // too small to be cut
+    this->Credit(entry); // too small to be cut
   }
 
   const vtkMTTriangleTree& From;
   const vtkMTTriangleTree& To;
   vtkMTDeviation& Result;
   const double Slack;
+  std::vector<float> Before;
+  std::vector<float> After;
+  std::vector<double> BoundOfTriangle;
+  std::vector<double> BoundOnTriangle;
   std::vector<std::uint32_t> NearestToPoint;
   std::vector<Entry> Stack;
 };
+
+float RoundUp(double value)
+{
+  const float rounded = static_cast<float>(value);
+  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
 
 double GetExtent(const vtkMTPatch& mesh, const vtkMTPoint& origin)
 {
@@ -373,17 +427,30 @@ double GetExtent(const vtkMTPatch& mesh, const vtkMTPoint& origin)
 }
 }
 
-vtkMTDeviation vtkMTDeviation::Between(const vtkMTPatch& a, const vtkMTTriangleTree& treeOfA, const vtkMTPatch& b,
-  const vtkMTTriangleTree& treeOfB, const vtkMTPoint& origin)
+vtkMTDeviation vtkMTDeviation::Between(const vtkMTPatch& floor, const vtkMTTriangleTree& floorTree,
+  const vtkMTPatch& fragment, const vtkMTTriangleTree& fragmentTree, const vtkMTPoint& origin,
+  const std::vector<vtkMTReach>& floorReach, std::vector<vtkMTReach>& fragmentReach)
 {
   vtkMTDeviation result;
-  const double slack = std::ldexp(std::max(GetExtent(a, origin), GetExtent(b, origin)), -40);
-  OneSided forward(treeOfA, treeOfB, result, slack);
-  OneSided backward(treeOfB, treeOfA, result, slack);
-  forward.VisitPoints(a);
-  backward.VisitPoints(b);
-  std::size_t budget = PiecesPerTriangle * (a.Triangles.size() + b.Triangles.size());
-  forward.BoundTriangles(a, budget);
-  backward.BoundTriangles(b, budget);
+  const double slack = std::ldexp(std::max(GetExtent(floor, origin), GetExtent(fragment, origin)), -40);
+  OneSided down(floorTree, fragmentTree, result, slack);
+  OneSided up(fragmentTree, floorTree, result, slack);
+  for (std::size_t t = 0; t < floorReach.size(); ++t)
+  {
+    down.GetBefore()[t] = floorReach[t].FromInput;
+    up.GetAfter()[t] = floorReach[t].ToInput;
+  }
+  down.VisitPoints(floor);
+  up.VisitPoints(fragment);
+  std::size_t budget = PiecesPerTriangle * (floor.Triangles.size() + fragment.Triangles.size());
+  down.BoundTriangles(floor, budget);
+  up.BoundTriangles(fragment, budget);
+  fragmentReach.resize(fragment.Triangles.size());
+  for (std::size_t t = 0; t < fragmentReach.size(); ++t)
+  {
+    fragmentReach[t] = { RoundUp(up.GetBoundOfTriangle()[t]), RoundUp(down.GetBoundOnTriangle()[t]) };
+    result.UpperBound =
+      std::max({ result.UpperBound, double(fragmentReach[t].ToInput), double(fragmentReach[t].FromInput) });
+  }
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputMesh.h"
 
+#include "vtkMTOrientation.h"
 #include "vtkMTPointNormals.h"
 #include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
@@ -312,6 +313,25 @@ void Snap(const std::vector<WorldPoint>& points, const std::vector<std::uint32_t
   result.Lattice.MaximumShift = std::sqrt(largest) * (1.0 + std::ldexp(1.0, -50)) * result.Lattice.Step;
 }
 
+void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::int64_t count)
+{
+  if (count > 0)
+  {
+    report[reason] += count;
+  }
+}
+
+void Orient(vtkMTInputMesh& result)
+{
+  const vtkMTOrientation orientation = vtkMTOrientation::Run(result.Mesh);
+  for (std::uint32_t t : orientation.Reversed)
+  {
+    std::swap(result.Mesh.Triangles[t][1], result.Mesh.Triangles[t][2]);
+  }
+  Count(result.Report, "reoriented_triangles", static_cast<std::int64_t>(orientation.Reversed.size()));
+  Count(result.Report, "not_orientable_triangles", static_cast<std::int64_t>(orientation.NonOrientableTriangles));
+}
+
 void AddNormals(vtkMTInputMesh& result)
 {
   const std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(result.Mesh);
@@ -347,14 +367,6 @@ vtkMTArrayInfo MakeCellIdInfo()
   info.Resampling = vtkMTArrayInfo::Nearest;
   info.Role = vtkMTArrayInfo::InputCellIds;
   return info;
-}
-
-void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::int64_t count)
-{
-  if (count > 0)
-  {
-    report[reason] += count;
-  }
 }
 }
 
@@ -394,6 +406,7 @@ bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, int latticeBits, bool mak
   const std::vector<std::uint32_t> representatives = WedgeMaker(input, stitch.Root, pointTupleSizes).Run(this->Mesh);
   this->Mesh.CellColumns = std::move(input.CellColumns);
   Snap(input.Points, representatives, latticeBits, *this);
+  Orient(*this);
   if (makeNormals && !hasNormals)
   {
     AddNormals(*this);

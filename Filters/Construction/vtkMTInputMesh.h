@@ -7,7 +7,8 @@
  * ("dropped_index_out_of_range"), a coordinate that is not finite ("dropped_not_finite") or two corners at one place
  * ("dropped_degenerate"). Every other triangle is kept, whatever its shape or its neighbours. Points that no kept
  * triangle uses are left out ("isolated_points"). Points that are stitched (vtkMTStitch) become one point with one
- * wedge per different set of attribute values.
+ * wedge per different set of attribute values. Parts with mixed windings are oriented as most of their triangles are
+ * ("reoriented_triangles", vtkMTOrientation); parts that cannot be stay as they are ("not_orientable_triangles").
  */
 #ifndef vtkMTInputMesh_h
 #define vtkMTInputMesh_h

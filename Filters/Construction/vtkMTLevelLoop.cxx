@@ -71,7 +71,7 @@ struct NodeRecord
 {
   std::uint32_t Level;
   std::uint32_t Region;
-  double StepError;
+  double Error;
   double EdgeLength;
 };
 
@@ -100,6 +100,9 @@ public:
     this->Lattice = input.Lattice;
     this->Graph.Lattice = input.Lattice;
     this->Graph.Arrays = input.Arrays;
+    this->CarriedArrays = input.Arrays;
+    this->CarriedArrays.push_back(vtkMTRegionStep::GetReachInfo());
+    vtkMTRegionStep::AppendReachOfInput(input.Mesh);
     this->Graph.InputTriangles = input.InputTriangles;
     this->Graph.InputReport = input.Report;
     this->InputTriangles = input.Mesh.Triangles.size();
@@ -192,7 +195,7 @@ private:
   {
     std::vector<std::size_t> pointTupleSizes;
     std::vector<std::size_t> cellTupleSizes;
-    for (const vtkMTArrayInfo& info : this->Graph.Arrays)
+    for (const vtkMTArrayInfo& info : this->CarriedArrays)
     {
       (info.Association == vtkMTArrayInfo::Point ? pointTupleSizes : cellTupleSizes).push_back(info.GetTupleSize());
     }
@@ -362,6 +365,7 @@ private:
 
   bool WritePatch(vtkMTPatch&& patch, std::uint32_t fromNode, std::uint32_t toNode)
   {
+    vtkMTRegionStep::RemoveReach(patch);
     this->Arcs.push_back({ vtkMTMakeArcRecord(patch, this->Lattice.Step), fromNode, toNode });
     return this->Sink.WritePatch(std::move(patch)) || this->Fail(this->Sink.GetError());
   }
@@ -395,7 +399,7 @@ private:
 
   bool SimplifyRegions(std::uint32_t level)
   {
-    const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->Graph.Arrays, &this->LockedIds,
+    const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->CarriedArrays, &this->LockedIds,
       level - 1 };
     std::vector<vtkMTRegionStep> steps(4 * static_cast<std::size_t>(this->Threads));
     this->LevelScan.Fragments.assign(this->NextRegions, {});
@@ -437,7 +441,7 @@ private:
     this->SimplifiedTriangles += step.FloorTriangles;
     this->LevelTriangles.back() += step.Fragment.Triangles.size();
     this->NodeOfFragment[region] = static_cast<std::uint32_t>(this->Nodes.size());
-    this->Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.StepError, step.EdgeLength });
+    this->Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength });
     this->Graph.FullySharedBorders += step.HasFullySharedBorder ? 1 : 0;
     for (const auto& [cause, edges] : step.Blocked)
     {
@@ -487,8 +491,9 @@ private:
       vtkMTNode& node = this->Graph.Nodes[i + 1];
       node.Level = record.Level;
       node.Region = record.Region;
-      node.StepError = std::nextafter(record.StepError * this->Lattice.Step, std::numeric_limits<double>::infinity());
-      node.StepError = record.StepError > 0.0 ? node.StepError : 0.0;
+      node.OwnError = record.Error > 0.0
+        ? std::nextafter(record.Error * this->Lattice.Step, std::numeric_limits<double>::infinity())
+        : 0.0;
       node.EdgeLength = record.EdgeLength * this->Lattice.Step;
       place[order[i]] = i + 1;
     }
@@ -518,6 +523,7 @@ private:
   vtkMTSpool& PatchSpool;    // by region of the next one
   vtkMTLattice Lattice;
   vtkMTGraph Graph;
+  std::vector<vtkMTArrayInfo> CarriedArrays; // the input's and, last, the reach
   std::vector<NodeRecord> Nodes;
   std::vector<ArcRecord> Arcs; // in the order in which their patches were written
   std::size_t FirstArcOfLevel = 0;

@@ -8,6 +8,8 @@
 #include "vtkMTSimplifier.h"
 #include "vtkMTTriangleTree.h"
 
+#include "vtkType.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -123,6 +125,20 @@ vtkMTPatch MakeFragment(
   return fragment;
 }
 
+vtkMTColumn ToColumn(const std::vector<vtkMTReach>& reach)
+{
+  vtkMTColumn column(reach.size() * sizeof(vtkMTReach));
+  std::memcpy(column.data(), reach.data(), column.size());
+  return column;
+}
+
+std::vector<vtkMTReach> FromColumn(const vtkMTColumn& column)
+{
+  std::vector<vtkMTReach> reach(column.size() / sizeof(vtkMTReach));
+  std::memcpy(reach.data(), column.data(), column.size());
+  return reach;
+}
+
 vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
 {
   const vtkMTBox box = mesh.GetBox();
@@ -133,6 +149,22 @@ vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
   }
   return middle;
 }
+}
+
+vtkMTArrayInfo vtkMTRegionStep::GetReachInfo()
+{
+  static_assert(sizeof(vtkMTReach) == 2 * sizeof(float), "two numbers without padding");
+  vtkMTArrayInfo info;
+  info.Name = "reach";
+  info.Association = vtkMTArrayInfo::Cell;
+  info.Type = VTK_FLOAT;
+  info.Components = 2;
+  return info;
+}
+
+void vtkMTRegionStep::AppendReachOfInput(vtkMTPatch& mesh)
+{
+  mesh.CellColumns.push_back(ToColumn(std::vector<vtkMTReach>(mesh.Triangles.size())));
 }
 
 bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& context, std::string& error)
@@ -147,7 +179,10 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
     }
     patch = vtkMTPatch();
   }
-  const vtkMTPatch floor = assembler.TakeMesh();
+  vtkMTPatch floor = assembler.TakeMesh();
+  const std::vector<vtkMTReach> floorReach = FromColumn(floor.CellColumns.back());
+  RemoveReach(floor);
+  const std::vector<vtkMTArrayInfo> inputArrays(context.Arrays->begin(), context.Arrays->end() - 1);
   this->FloorTriangles = floor.Triangles.size();
   std::vector<unsigned char> locked(floor.Points.size());
   for (std::size_t p = 0; p < locked.size(); ++p)
@@ -165,9 +200,12 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
   const vtkMTPoint origin = GetMiddle(floor);
   const vtkMTTriangleTree floorTree(floor, origin);
   const vtkMTTriangleTree fragmentTree(this->Fragment, origin);
-  this->StepError = vtkMTDeviation::Between(floor, floorTree, this->Fragment, fragmentTree, origin).UpperBound;
+  std::vector<vtkMTReach> reach;
+  this->Error =
+    vtkMTDeviation::Between(floor, floorTree, this->Fragment, fragmentTree, origin, floorReach, reach).UpperBound;
   this->EdgeLength = this->Fragment.GetMeanEdgeLength();
-  vtkMTAttributeTransfer::Run(floor, floorTree, origin, simplification, *context.Arrays, this->Fragment);
+  vtkMTAttributeTransfer::Run(floor, floorTree, origin, simplification, inputArrays, this->Fragment);
+  this->Fragment.CellColumns.push_back(ToColumn(reach));
   if (this->Fragment.Triangles.size() > target)
   {
     this->Blocked = std::move(simplification.Blocked);

@@ -131,7 +131,7 @@ TEST_F(Verify, ErrorsThatAreTooSmallAreFound)
     for (vtkMTNode& node : graph.Nodes)
     {
       node.Error *= 0.3;
-      node.StepError *= 0.3;
+      node.OwnError *= 0.3;
     }
   };
   Rewrite(this->Path("sphere.bmt"), this->Path("bad.bmt"), halve, SamePatch);

@@ -349,8 +349,13 @@ private:
         merged.Length += this->Segments[i + 1].Length;
       }
       merged.Finer = node;
-      double& error = this->Graph.Nodes[node].StepError;
-      error = std::max(error, this->GetDistance(first, i, merged));
+      double below = 0.0; // what the merged ones are from the input already
+      for (std::size_t k = first; k <= i; ++k)
+      {
+        below = std::max(below, step > 0 ? this->Graph.Nodes[this->Segments[k].Finer].OwnError : 0.0);
+      }
+      double& error = this->Graph.Nodes[node].OwnError;
+      error = std::max(error, this->GetDistance(first, i, merged) + below);
       coarser.push_back(merged);
     }
     this->Segments.swap(coarser);

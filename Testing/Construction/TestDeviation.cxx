@@ -53,7 +53,8 @@ vtkMTPatch MakeGrid(int n, int size, const Height& height, bool otherDiagonal = 
 vtkMTDeviation GetDeviation(const vtkMTPatch& a, const vtkMTPatch& b)
 {
   const vtkMTPoint origin{ 0, 0, 0 };
-  return vtkMTDeviation::Between(a, vtkMTTriangleTree(a, origin), b, vtkMTTriangleTree(b, origin), origin);
+  std::vector<vtkMTReach> reach;
+  return vtkMTDeviation::Between(a, vtkMTTriangleTree(a, origin), b, vtkMTTriangleTree(b, origin), origin, {}, reach);
 }
 
 // Distance from a point to a triangle by a method of its own: minimise over a fine barycentric grid, then over finer

@@ -83,7 +83,7 @@ vtkMTGraph MTRandomGraph::Make(std::uint32_t seed, int finestNodes, bool planar)
       node.Level = static_cast<std::uint32_t>(step);
       node.Region = static_cast<std::uint32_t>(region);
       const double scale = std::pow(2.0, static_cast<double>(step)) * 1e-4;
-      node.StepError = draw(8) == 0 ? 0.0 : scale * (1 + draw(1000)) / 1000.0;
+      node.OwnError = draw(8) == 0 ? 0.0 : scale * (1 + draw(1000)) / 1000.0;
       node.EdgeLength = scale * 10.0 * (500 + draw(1000)) / 1000.0;
       graph.Nodes.push_back(node);
     }

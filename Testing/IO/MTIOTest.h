@@ -131,7 +131,7 @@ inline bool AreEqual(const vtkMTPatch& a, const vtkMTPatch& b)
 
 inline bool AreEqual(const vtkMTNode& a, const vtkMTNode& b)
 {
-  return a.Error == b.Error && a.StepError == b.StepError && a.EdgeLength == b.EdgeLength && a.Center == b.Center &&
+  return a.Error == b.Error && a.OwnError == b.OwnError && a.EdgeLength == b.EdgeLength && a.Center == b.Center &&
     a.Radius == b.Radius && a.FirstOut == b.FirstOut && a.OutCount == b.OutCount && a.FirstIn == b.FirstIn &&
     a.InCount == b.InCount && a.Level == b.Level && a.Region == b.Region;
 }

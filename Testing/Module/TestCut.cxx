@@ -24,7 +24,7 @@ vtkMTGraph PaperGraph()
   for (int i = 0; i < 6; ++i)
   {
     graph.Nodes[i].Level = levels[i];
-    graph.Nodes[i].StepError = levels[i];
+    graph.Nodes[i].OwnError = levels[i];
   }
   for (const Ends& ends :
     { Ends{ 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 5 }, { 1, 3 }, { 1, 4 }, { 2, 3 }, { 2, 5 }, { 3, 5 }, { 4, 5 } })

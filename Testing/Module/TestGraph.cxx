@@ -32,7 +32,7 @@ vtkMTGraph RandomGraph(std::uint64_t seed, const double bounds[6])
       present.push_back(static_cast<std::uint32_t>(graph.Nodes.size()));
       vtkMTNode node;
       node.Level = level;
-      node.StepError = level == 0 ? 0.0 : random.Uniform() * graph.Lattice.Step * 1000.0;
+      node.OwnError = level == 0 ? 0.0 : random.Uniform() * graph.Lattice.Step * 1000.0;
       node.EdgeLength = random.Uniform();
       graph.Nodes.push_back(node);
     }
@@ -115,8 +115,12 @@ TEST(Graph, SaturatedErrorsNestAndNeverRoundDownAtAnyScale)
       EXPECT_EQ(graph.Nodes.front().Error, worstRoot);
       for (const vtkMTArc& arc : graph.Arcs)
       {
-        const long double sum = static_cast<long double>(graph.Nodes[arc.From].StepError) + graph.Nodes[arc.To].Error;
-        ASSERT_GE(static_cast<long double>(graph.Nodes[arc.From].Error), sum);
+        ASSERT_GE(graph.Nodes[arc.From].Error, graph.Nodes[arc.To].Error);
+      }
+      for (std::uint32_t i = 1; i < graph.Nodes.size(); ++i)
+      {
+        const long double sum = static_cast<long double>(graph.Nodes[i].OwnError) + graph.Lattice.MaximumShift;
+        ASSERT_GE(static_cast<long double>(graph.Nodes[i].Error), sum);
       }
     }
   }

@@ -205,14 +205,19 @@ TEST(Validate, DamagedGraphsAreFound)
     { "runs from level", [](Store& s) { s.GetMutableGraph().Nodes[2].Level = 0; } },
     { "runs from level", [](Store& s) { s.GetMutableGraph().Nodes[0].Level = 4000000000u; } },
     { "negative or no number", [nan](Store& s) { s.GetMutableGraph().Nodes[2].Error = nan; } },
-    { "negative or no number", [](Store& s) { s.GetMutableGraph().Nodes[2].StepError = -1.0; } },
-    { "is not saturated: its own step",
+    { "negative or no number", [](Store& s) { s.GetMutableGraph().Nodes[2].OwnError = -1.0; } },
+    { "is not saturated",
       [](Store& s)
       {
         vtkMTNode& node = s.GetMutableGraph().Nodes[2];
-        node.Error =
-          std::nextafter(s.GetGraph().Nodes[s.GetGraph().Arcs[node.FirstOut].To].Error + node.StepError, 0.0);
-        node.Error *= 0.999;
+        node.OwnError = 0.0;
+        node.Error = std::nextafter(s.GetGraph().Nodes[s.GetGraph().Arcs[node.FirstOut].To].Error, 0.0);
+      } },
+    { "is less than its own",
+      [](Store& s)
+      {
+        vtkMTNode& node = s.GetMutableGraph().Nodes[2];
+        node.OwnError = node.Error;
       } },
     { "edge length", [](Store& s) { s.GetMutableGraph().Nodes[1].EdgeLength *= 0.001; } },
     { "does not hold that of node", [](Store& s) { s.GetMutableGraph().Nodes[1].Radius *= 0.9; } },

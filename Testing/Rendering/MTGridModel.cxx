@@ -180,7 +180,7 @@ private:
       return;
     }
     vtkMTNode& record = this->Graph.Nodes[node];
-    record.StepError = this->GetError(triangles) + this->Graph.Lattice.Step;
+    record.OwnError = this->GetError(triangles) + this->Graph.Lattice.Step;
     record.EdgeLength = this->Model.Size * step / this->Model.Cells;
     record.Level = static_cast<std::uint32_t>(std::lround(std::log2(step)));
     const int half = side / 2;
