@@ -21,13 +21,12 @@ struct Layout
   std::uint64_t MetadataOffset;
   std::uint64_t PatchOffset;
 
-  Layout(std::uint32_t nodes, std::uint32_t arcs, std::uint32_t arrays, std::uint64_t metadataSize)
+  Layout(std::uint32_t nodes, std::uint32_t arcs, std::uint64_t sections, std::uint64_t metadataSize)
     : NodeOffset(sizeof(Header))
     , ArcOffset(Align(this->NodeOffset + std::uint64_t(nodes) * sizeof(NodeRecord)))
     , DirectoryOffset(Align(this->ArcOffset + std::uint64_t(arcs) * sizeof(ArcRecord)))
-    , MetadataOffset(
-        Align(this->DirectoryOffset + std::uint64_t(arcs) * (std::uint64_t(arrays) + 1) * sizeof(SectionRecord)))
-    , PatchOffset(Align(this->MetadataOffset + metadataSize))
+    , MetadataOffset(Align(this->DirectoryOffset + sections * sizeof(SectionRecord)))
+    , PatchOffset((this->MetadataOffset + metadataSize + PageSize - 1) / PageSize * PageSize)
   {
   }
 };
@@ -143,27 +142,37 @@ bool CheckArc(const vtkMTArc& arc, std::size_t nodes)
 }
 
 // The sections lie one after the other, from the first byte after the DAG block to the end of the file.
-bool CheckDirectory(
-  const std::vector<SectionRecord>& directory, std::uint64_t begin, std::uint64_t end, std::string& error)
+bool PlaceSections(const SectionRecord* records, std::vector<Section>& directory, std::uint64_t begin,
+  std::uint64_t end, std::string& error)
 {
-  std::uint64_t expected = begin;
+  std::uint64_t next = begin;
   for (std::size_t i = 0; i < directory.size(); ++i)
   {
-    const SectionRecord& section = directory[i];
-    if (section.Offset != expected || section.StoredSize > end - expected ||
-      Align(section.StoredSize) > end - expected || section.Reserved != 0)
+    SectionRecord record;
+    std::memcpy(&record, records + i, sizeof(record));
+    const std::uint64_t size = Align(record.StoredSize);
+    if (size > end - next || record.Codec > Zstd || record.Reserved[0] != 0 || record.Reserved[1] != 0 ||
+      record.Reserved[2] != 0)
     {
       error = "entry " + std::to_string(i) + " of its directory is impossible";
       return false;
     }
-    expected += Align(section.StoredSize);
+    static_cast<SectionRecord&>(directory[i]) = record;
+    directory[i].Offset = next;
+    next += size;
   }
-  if (expected != end)
+  if (next != end)
   {
     error = "its directory does not account for all of its bytes";
     return false;
   }
   return true;
+}
+
+// At most 2^64 - 2^32: a count of blobs that does not fit is refused with the layout.
+std::uint64_t GetNumberOfSections(const Header& header)
+{
+  return std::uint64_t(header.ArcCount) * (std::uint64_t(header.ArrayCount) + 1) + header.BlobCount;
 }
 
 bool CheckHeader(const Header& header, std::uint64_t size, std::string& error)
@@ -185,7 +194,12 @@ bool CheckHeader(const Header& header, std::uint64_t size, std::string& error)
     error = "its metadata are longer than the file";
     return false;
   }
-  const Layout layout(header.NodeCount, header.ArcCount, header.ArrayCount, header.MetadataSize);
+  if (GetNumberOfSections(header) > size / sizeof(SectionRecord))
+  {
+    error = "its directory is longer than the file";
+    return false;
+  }
+  const Layout layout(header.NodeCount, header.ArcCount, GetNumberOfSections(header), header.MetadataSize);
   if (header.NodeOffset != layout.NodeOffset || header.ArcOffset != layout.ArcOffset ||
     header.DirectoryOffset != layout.DirectoryOffset || header.MetadataOffset != layout.MetadataOffset ||
     header.PatchOffset != layout.PatchOffset || header.PatchOffset > size)
@@ -227,27 +241,26 @@ bool ReadHeader(const vtkMTByteSource& bytes, Header& header, std::string& error
 }
 
 bool DecodeBlock(const std::vector<unsigned char>& block, const Header& header, vtkMTGraph& graph,
-  std::vector<SectionRecord>& directory, std::string& error)
+  std::vector<Section>& directory, std::string& error)
 {
   const auto at = [&block](std::uint64_t offset) { return block.data() + (offset - sizeof(Header)); };
-  if (!vtkMTFileMetadata::Decode(at(header.MetadataOffset), header.MetadataSize, header.ArrayCount, graph))
+  if (!vtkMTFileMetadata::Decode(
+        at(header.MetadataOffset), header.MetadataSize, { header.ArrayCount, header.BlobCount }, graph))
   {
     error = "its metadata are impossible";
     return false;
   }
   GetRecords<NodeRecord>(at(header.NodeOffset), header.NodeCount, graph.Nodes);
   GetRecords<ArcRecord>(at(header.ArcOffset), header.ArcCount, graph.Arcs);
-  directory.resize(std::size_t(header.ArcCount) * (std::size_t(header.ArrayCount) + 1));
-  if (!directory.empty())
-  {
-    std::memcpy(directory.data(), at(header.DirectoryOffset), directory.size() * sizeof(SectionRecord));
-  }
+  directory.resize(static_cast<std::size_t>(GetNumberOfSections(header)));
   graph.Lattice.Step = header.Step;
   graph.Lattice.Origin = { header.Origin[0], header.Origin[1], header.Origin[2] };
   graph.Lattice.MaximumShift = header.MaximumShift;
   graph.InputTriangles = header.InputTriangles;
   graph.FullySharedBorders = header.FullySharedBorders;
-  return vtkMTFileDag::Check(graph, error) && CheckDirectory(directory, header.PatchOffset, header.FileSize, error);
+  return vtkMTFileDag::Check(graph, error) &&
+    PlaceSections(reinterpret_cast<const SectionRecord*>(at(header.DirectoryOffset)), directory, header.PatchOffset,
+      header.FileSize, error);
 }
 }
 
@@ -290,7 +303,7 @@ bool Check(const vtkMTGraph& graph, std::string& error)
   return true;
 }
 
-void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std::vector<unsigned char>& bytes)
+void Encode(const vtkMTGraph& graph, const std::vector<SectionRecord>& directory, std::vector<unsigned char>& bytes)
 {
   const std::vector<unsigned char> metadata = vtkMTFileMetadata::Encode(graph);
   Header header{};
@@ -301,7 +314,8 @@ void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std:
   header.ArcCount = static_cast<std::uint32_t>(graph.Arcs.size());
   header.ArrayCount = static_cast<std::uint32_t>(graph.Arrays.size());
   header.MetadataSize = metadata.size();
-  const Layout layout(header.NodeCount, header.ArcCount, header.ArrayCount, header.MetadataSize);
+  header.BlobCount = static_cast<std::uint32_t>(graph.Blobs.size());
+  const Layout layout(header.NodeCount, header.ArcCount, directory.size(), header.MetadataSize);
   header.NodeOffset = layout.NodeOffset;
   header.ArcOffset = layout.ArcOffset;
   header.DirectoryOffset = layout.DirectoryOffset;
@@ -316,9 +330,8 @@ void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std:
     header.Origin[axis] = graph.Lattice.Origin[axis];
   }
   header.FileSize = header.PatchOffset;
-  for (SectionRecord& section : directory)
+  for (const SectionRecord& section : directory)
   {
-    section.Offset = header.FileSize;
     header.FileSize += Align(section.StoredSize);
   }
 
@@ -335,7 +348,7 @@ void Encode(const vtkMTGraph& graph, std::vector<SectionRecord>& directory, std:
   std::memcpy(bytes.data(), &header, sizeof(Header));
 }
 
-bool Decode(const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<SectionRecord>& directory, std::string& error)
+bool Decode(const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<Section>& directory, std::string& error)
 {
   graph = vtkMTGraph();
   directory.clear();

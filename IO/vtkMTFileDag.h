@@ -17,14 +17,14 @@ namespace vtkMTFileDag
 bool Check(const vtkMTGraph& graph, std::string& error);
 
 /**
- * The bytes of header and DAG block. directory has 1 + number of arrays sections per arc, in arc order, without
- * offsets; they are filled in here.
+ * The bytes of header and DAG block. directory has 1 + number of arrays sections per arc, in arc order, then one per
+ * blob.
  */
-void Encode(
-  const vtkMTGraph& graph, std::vector<vtkMTFileFormat::SectionRecord>& directory, std::vector<unsigned char>& bytes);
+void Encode(const vtkMTGraph& graph, const std::vector<vtkMTFileFormat::SectionRecord>& directory,
+  std::vector<unsigned char>& bytes);
 
 /// Reads and checks header and DAG block; no more memory is asked for than the file has bytes, times a small factor.
-bool Decode(const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<vtkMTFileFormat::SectionRecord>& directory,
+bool Decode(const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<vtkMTFileFormat::Section>& directory,
   std::string& error);
 
 /// Whether a file that begins with these bytes is a Multi-Triangulation file, of whatever version.

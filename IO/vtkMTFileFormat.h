@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The records of a Multi-Triangulation file, version 1, as Documentation/file-format.md describes them. Not installed.
+// The records of a Multi-Triangulation file, version 2, as Documentation/file-format.md describes them. Not installed.
 #ifndef vtkMTFileFormat_h
 #define vtkMTFileFormat_h
 
@@ -15,12 +15,15 @@ namespace vtkMTFileFormat
 {
 // As PNG's: a byte with the high bit set, both kinds of line end and an end-of-file mark show damage by text transfer.
 constexpr unsigned char Magic[8] = { 0x89, 'B', 'M', 'T', '\r', '\n', 0x1a, '\n' };
-constexpr std::uint32_t Version = 1;
-constexpr std::uint64_t Alignment = 64; // of every block and section; the gaps are zero and under the checksum before
+constexpr std::uint32_t Version = 2;
+constexpr std::uint64_t Alignment = 16;  // of every block and section; the gaps are zero and under the checksum before
+constexpr std::uint64_t PageSize = 4096; // the patches begin on one
 
-enum Codec : std::uint32_t
+enum Codec : std::uint8_t
 {
-  Raw = 0
+  Raw = 0, // as it is in memory
+  Lz4 = 1, // packed, what can be said in fewer bytes again is an LZ4 block
+  Zstd = 2 // the same, a zstd frame
 };
 
 struct Header
@@ -43,7 +46,8 @@ struct Header
   double Step;
   std::int64_t Origin[3];
   double MaximumShift;
-  unsigned char Reserved[104];
+  std::uint32_t BlobCount;
+  unsigned char Reserved[100];
   std::uint64_t DagChecksum;
   std::uint64_t HeaderChecksum;
 };
@@ -80,15 +84,20 @@ static_assert(sizeof(ArcRecord) == 72 && std::is_trivially_copyable<ArcRecord>::
 
 struct SectionRecord
 {
-  std::uint64_t Offset;
-  std::uint64_t StoredSize;
-  std::uint64_t RawSize;
   std::uint64_t Checksum; // of the stored bytes and of the padding after them
-  std::uint32_t Codec;
-  std::uint32_t Reserved;
+  std::uint32_t StoredSize;
+  std::uint8_t Codec;
+  std::uint8_t Reserved[3];
 };
-static_assert(sizeof(SectionRecord) == 40 && std::is_trivially_copyable<SectionRecord>::value, "fixed by the format");
+static_assert(sizeof(SectionRecord) == 16 && std::is_trivially_copyable<SectionRecord>::value, "fixed by the format");
 
+/// A section and where it lies, which follows from the sizes of those before it and is not stored.
+struct Section : SectionRecord
+{
+  std::uint64_t Offset = 0;
+};
+
+// A geometry section begins with one of these: the first where its codec is Raw, the second elsewhere.
 struct GeometryRecord
 {
   std::uint32_t Points;
@@ -103,6 +112,22 @@ struct GeometryRecord
   std::uint64_t FirstId;
 };
 static_assert(sizeof(GeometryRecord) == 40 && std::is_trivially_copyable<GeometryRecord>::value, "fixed by the format");
+
+struct PackedGeometryRecord
+{
+  std::uint32_t Points;
+  std::uint32_t Wedges;
+  std::uint32_t Triangles;
+  std::uint32_t SharedPoints;
+  std::int32_t Corner[3];
+  std::uint8_t Shift;    // coarse points are multiples of 2^Shift
+  std::uint8_t HasTable; // 1: wedges are not points
+  std::uint16_t Reserved;
+  std::uint32_t SideSize;       // bytes of the side stream, decoded
+  std::uint32_t StoredSideSize; // stored
+};
+static_assert(
+  sizeof(PackedGeometryRecord) == 40 && std::is_trivially_copyable<PackedGeometryRecord>::value, "fixed by the format");
 
 /// size rounded up to the alignment; the caller has made sure that it is far from overflow.
 inline std::uint64_t Align(std::uint64_t size)

@@ -150,19 +150,34 @@ std::vector<unsigned char> vtkMTFileMetadata::Encode(const vtkMTGraph& graph)
   {
     writer.Put(array);
   }
+  for (const vtkMTBlobInfo& blob : graph.Blobs)
+  {
+    writer.Put(blob.Name);
+    writer.Put(blob.Type);
+    writer.Put(blob.Properties);
+  }
   writer.Put(graph.Settings);
   writer.Put(graph.InputReport);
   writer.Put(graph.Blocked);
   return writer.Bytes;
 }
 
-bool vtkMTFileMetadata::Decode(const unsigned char* data, std::uint64_t size, std::uint32_t arrays, vtkMTGraph& graph)
+bool vtkMTFileMetadata::Decode(const unsigned char* data, std::uint64_t size, const Counts& counts, vtkMTGraph& graph)
 {
   MetadataReader reader(data, size);
-  for (std::uint32_t i = 0; i < arrays; ++i)
+  for (std::uint32_t i = 0; i < counts.Arrays; ++i)
   {
     graph.Arrays.emplace_back();
     if (!reader.Get(graph.Arrays.back()))
+    {
+      return false;
+    }
+  }
+  for (std::uint32_t i = 0; i < counts.Blobs; ++i)
+  {
+    graph.Blobs.emplace_back();
+    vtkMTBlobInfo& blob = graph.Blobs.back();
+    if (!reader.Get(blob.Name) || !reader.Get(blob.Type) || !reader.Get(blob.Properties))
     {
       return false;
     }

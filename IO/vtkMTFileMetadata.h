@@ -12,9 +12,15 @@ namespace vtkMTFileMetadata
 {
 std::vector<unsigned char> Encode(const vtkMTGraph& graph);
 
-/// Fills the graph's arrays, settings and reports. False when the bytes are not exactly such ones, or of types that
-/// this machine does not have.
-bool Decode(const unsigned char* data, std::uint64_t size, std::uint32_t arrays, vtkMTGraph& graph);
+struct Counts
+{
+  std::uint32_t Arrays;
+  std::uint32_t Blobs;
+};
+
+/// Fills the graph's arrays, blobs, settings and reports. False when the bytes are not exactly such ones, or of types
+/// that this machine does not have.
+bool Decode(const unsigned char* data, std::uint64_t size, const Counts& counts, vtkMTGraph& graph);
 }
 
 #endif

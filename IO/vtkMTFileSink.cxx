@@ -8,9 +8,11 @@
 #include "vtkMTTemporaryFile.h"
 
 #include <array>
+#include <limits>
 #include <new>
 
 using vtkMTFileFormat::Align;
+using vtkMTFileFormat::Section;
 using vtkMTFileFormat::SectionRecord;
 
 struct vtkMTFileSink::Internals
@@ -18,10 +20,12 @@ struct vtkMTFileSink::Internals
   std::string Path;
   std::vector<vtkMTArrayInfo> Arrays;
   vtkMTTemporaryFile Spool;
-  std::vector<SectionRecord> Sections;              // of the patches in the order of writing; offsets in the spool
+  vtkMTFileFormat::Codec Codec = vtkMTFileFormat::Lz4;
+  std::vector<Section> Sections;                    // of the patches in the order of writing; offsets in the spool
+  std::vector<Section> Blobs;                       // the same
   std::vector<std::array<std::uint32_t, 4>> Counts; // points, wedges, triangles, shared points of each patch
   std::vector<unsigned char> Bytes;                 // of the patch in hand
-  std::vector<SectionRecord> PatchSections;
+  std::vector<Section> PatchSections;
   std::uint64_t FileSize = 0;
 
   std::size_t SectionsPerPatch() const { return this->Arrays.size() + 1; }
@@ -30,6 +34,7 @@ struct vtkMTFileSink::Internals
   {
     this->Spool.Close();
     this->Sections = {};
+    this->Blobs = {};
     this->Counts = {};
     this->Bytes = {};
     this->PatchSections = {};
@@ -37,7 +42,7 @@ struct vtkMTFileSink::Internals
 
   bool Append(const vtkMTPatch& patch, std::string& error)
   {
-    if (!vtkMTPatchCodec::Encode(patch, this->Arrays, this->Bytes, this->PatchSections, error))
+    if (!vtkMTPatchCodec::Encode(patch, this->Arrays, this->Codec, this->Bytes, this->PatchSections, error))
     {
       error = this->Path + ": patch " + std::to_string(this->Counts.size()) + " " + error;
       return false;
@@ -48,7 +53,7 @@ struct vtkMTFileSink::Internals
       error = this->Path + ": " + this->Spool.GetError();
       return false;
     }
-    for (SectionRecord& section : this->PatchSections)
+    for (Section& section : this->PatchSections)
     {
       section.Offset += begin;
       this->Sections.push_back(section);
@@ -57,6 +62,24 @@ struct vtkMTFileSink::Internals
       { static_cast<std::uint32_t>(patch.Points.size()), static_cast<std::uint32_t>(patch.GetNumberOfWedges()),
         static_cast<std::uint32_t>(patch.Triangles.size()), static_cast<std::uint32_t>(patch.Ids.size()) });
     return true;
+  }
+
+  bool AppendBlob(std::vector<unsigned char>& bytes, std::string& error)
+  {
+    Section section{};
+    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
+    {
+      error = this->Path + ": a blob has more than 4 GiB";
+      return false;
+    }
+    section.Offset = this->Spool.GetSize();
+    section.StoredSize = static_cast<std::uint32_t>(bytes.size());
+    section.Codec = vtkMTFileFormat::Raw;
+    bytes.resize(static_cast<std::size_t>(Align(bytes.size())), 0);
+    section.Checksum = vtkMTFileFormat::Checksum(bytes.data(), bytes.size());
+    this->Blobs.push_back(section);
+    error = this->Spool.Append(bytes.data(), bytes.size()) ? error : this->Path + ": " + this->Spool.GetError();
+    return error.empty();
   }
 
   bool Check(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc, std::string& error) const
@@ -68,6 +91,12 @@ struct vtkMTFileSink::Internals
     if (!(graph.Arrays == this->Arrays))
     {
       error = "the graph's arrays are not those that were announced";
+      return false;
+    }
+    if (this->Blobs.size() != graph.Blobs.size())
+    {
+      error = std::to_string(this->Blobs.size()) + " blobs were written where " + std::to_string(graph.Blobs.size()) +
+        " are described";
       return false;
     }
     std::vector<bool> used(this->Counts.size());
@@ -101,21 +130,21 @@ struct vtkMTFileSink::Internals
       const auto first = this->Sections.begin() + static_cast<std::ptrdiff_t>(patch * this->SectionsPerPatch());
       directory.insert(directory.end(), first, first + static_cast<std::ptrdiff_t>(this->SectionsPerPatch()));
     }
+    directory.insert(directory.end(), this->Blobs.begin(), this->Blobs.end());
     return directory;
   }
 
   // A disk may give back other bytes than it was given: what goes into the file is checked on the way.
-  bool CopyPatch(std::uint32_t patch, vtkMTOutputFile& output, std::string& error)
+  bool Copy(const Section* sections, std::size_t count, vtkMTOutputFile& output, std::string& error)
   {
-    const SectionRecord* sections = &this->Sections[patch * this->SectionsPerPatch()];
-    const SectionRecord& last = sections[this->SectionsPerPatch() - 1];
+    const Section& last = sections[count - 1];
     this->Bytes.resize(static_cast<std::size_t>(last.Offset + Align(last.StoredSize) - sections[0].Offset));
     if (!this->Spool.Read(sections[0].Offset, this->Bytes.size(), this->Bytes.data()))
     {
       error = this->Spool.GetError();
       return false;
     }
-    for (std::size_t i = 0; i < this->SectionsPerPatch(); ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
       if (!vtkMTPatchCodec::Check(sections[i], this->Bytes.data() + (sections[i].Offset - sections[0].Offset), error))
       {
@@ -133,9 +162,8 @@ struct vtkMTFileSink::Internals
 
   bool WriteFile(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc, std::string& error)
   {
-    std::vector<SectionRecord> directory = this->MakeDirectory(patchOfArc);
     std::vector<unsigned char> head;
-    vtkMTFileDag::Encode(graph, directory, head);
+    vtkMTFileDag::Encode(graph, this->MakeDirectory(patchOfArc), head);
     vtkMTOutputFile output;
     if (!output.Open(this->Path) || !output.Write(head.data(), head.size()))
     {
@@ -145,7 +173,14 @@ struct vtkMTFileSink::Internals
     head = {};
     for (const std::uint32_t patch : patchOfArc)
     {
-      if (!this->CopyPatch(patch, output, error))
+      if (!this->Copy(&this->Sections[patch * this->SectionsPerPatch()], this->SectionsPerPatch(), output, error))
+      {
+        return false;
+      }
+    }
+    for (const Section& blob : this->Blobs)
+    {
+      if (!this->Copy(&blob, 1, output, error))
       {
         return false;
       }
@@ -156,10 +191,12 @@ struct vtkMTFileSink::Internals
   }
 };
 
-vtkMTFileSink::vtkMTFileSink(const std::string& path)
+vtkMTFileSink::vtkMTFileSink(const std::string& path, CompressionType compression)
   : Implementation(new Internals)
 {
   this->Implementation->Path = path;
+  this->Implementation->Codec =
+    compression == None ? vtkMTFileFormat::Raw : (compression == Fast ? vtkMTFileFormat::Lz4 : vtkMTFileFormat::Zstd);
 }
 
 vtkMTFileSink::~vtkMTFileSink() = default;
@@ -211,6 +248,22 @@ bool vtkMTFileSink::WritePatch(vtkMTPatch&& patch)
   }
   own.Forget();
   return false;
+}
+
+bool vtkMTFileSink::WriteBlob(std::vector<unsigned char>&& bytes)
+{
+  Internals& own = *this->Implementation;
+  if (!own.Spool.IsOpen())
+  {
+    this->Error = this->Error.empty() ? own.Path + ": a blob was written before Begin" : this->Error;
+    return false;
+  }
+  if (!own.AppendBlob(bytes, this->Error))
+  {
+    own.Forget();
+    return false;
+  }
+  return true;
 }
 
 bool vtkMTFileSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)

@@ -22,12 +22,22 @@
 class VTKMTIO_EXPORT vtkMTFileSink : public vtkMTPatchSink
 {
 public:
-  explicit vtkMTFileSink(const std::string& path);
+  /// How geometry and arrays are made smaller. None of them loses anything but for normals that the builder made
+  /// (vtkMTColumnCodec); patches are put into the order of storage (vtkMTPatchOrder) with all of them.
+  enum CompressionType
+  {
+    None, ///< as in memory, with narrow integers
+    Fast, ///< the default: packed, then LZ4
+    Small ///< packed, then zstd: some percent smaller, slower to write and to read
+  };
+
+  explicit vtkMTFileSink(const std::string& path, CompressionType compression = Fast);
   /// A model that was not finished is abandoned.
   ~vtkMTFileSink() override;
 
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
   bool WritePatch(vtkMTPatch&& patch) override;
+  bool WriteBlob(std::vector<unsigned char>&& bytes) override;
   bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) override;
   void Abandon() override;
 

@@ -8,22 +8,21 @@
 #include <new>
 
 using vtkMTFileFormat::Align;
-using vtkMTFileFormat::SectionRecord;
+using vtkMTFileFormat::Section;
 
 struct vtkMTFileSource::Internals
 {
   std::shared_ptr<const vtkMTByteSource> Bytes;
-  std::vector<SectionRecord> Directory;
+  std::vector<Section> Directory;
 
-  const SectionRecord* SectionsOf(std::uint32_t arc, std::size_t arrays) const
+  const Section* SectionsOf(std::uint32_t arc, std::size_t arrays) const
   {
     return this->Directory.data() + std::size_t(arc) * (arrays + 1);
   }
 
   // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes).
   template <typename Use>
-  bool Read(
-    const SectionRecord* sections, const std::vector<unsigned char>& wanted, std::string& error, Use&& use) const
+  bool Read(const Section* sections, const std::vector<unsigned char>& wanted, std::string& error, Use&& use) const
   {
     std::vector<unsigned char> buffer;
     for (std::size_t first = 0; first < wanted.size();)
@@ -140,14 +139,13 @@ bool vtkMTFileSource::ReadPatch(
       columns[i] = ofPoints ? &patch.PointColumns[next[0]++] : &patch.CellColumns[next[1]++];
     }
     const vtkMTArc& record = this->Graph.Arcs[arc];
-    const SectionRecord* sections = this->Implementation->SectionsOf(arc, arrayCount);
+    const Section* sections = this->Implementation->SectionsOf(arc, arrayCount);
     done = this->Implementation->Read(sections, wanted, reason,
       [&](std::size_t section, const unsigned char* data)
       {
-        const std::uint64_t size = sections[section].StoredSize;
-        return section == 0 ? vtkMTPatchCodec::DecodeGeometry(data, size, record, patch, reason)
-                            : vtkMTPatchCodec::DecodeColumn(
-                                data, size, record, this->Graph.Arrays[section - 1], *columns[section - 1], reason);
+        return section == 0 ? vtkMTPatchCodec::DecodeGeometry(sections[0], data, record, patch, reason)
+                            : vtkMTPatchCodec::DecodeColumn(sections[section], data, record,
+                                this->Graph.Arrays[section - 1], *columns[section - 1], reason);
       });
   }
   catch (const std::bad_alloc&)
@@ -159,6 +157,34 @@ bool vtkMTFileSource::ReadPatch(
     patch = vtkMTPatch();
     error = this->GetName() + ": patch " + std::to_string(arc) + ": " + reason;
   }
+  return done;
+}
+
+bool vtkMTFileSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const
+{
+  if (blob >= this->Graph.Blobs.size())
+  {
+    return this->vtkMTPatchSource::ReadBlob(blob, bytes, error);
+  }
+  bytes.clear();
+  const Section& section = *(this->Implementation->Directory.end() -
+    static_cast<std::ptrdiff_t>(this->Graph.Blobs.size()) + static_cast<std::ptrdiff_t>(blob));
+  std::string reason;
+  bool done = false;
+  try
+  {
+    done = this->Implementation->Read(&section, { 1 }, reason,
+      [&](std::size_t, const unsigned char* data)
+      {
+        bytes.assign(data, data + section.StoredSize);
+        return true;
+      });
+  }
+  catch (const std::bad_alloc&)
+  {
+    reason = "there is not enough memory";
+  }
+  error = done ? error : this->GetName() + ": blob " + std::to_string(blob) + ": " + reason;
   return done;
 }
 

@@ -42,6 +42,7 @@ public:
   const vtkMTGraph& GetGraph() const override { return this->Graph; }
   bool ReadPatch(
     std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override;
+  bool ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const override;
   std::uint64_t GetPatchSize(std::uint32_t arc) const override;
   std::string GetName() const override;
 

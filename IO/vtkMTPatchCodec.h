@@ -14,21 +14,23 @@ namespace vtkMTPatchCodec
 {
 /**
  * Replaces bytes by the patch's sections, each padded to the alignment, and sections by their records, whose offsets
- * count from the first of these bytes. False when the patch is inconsistent.
+ * count from the first of these bytes. The patch is put into the order of storage (vtkMTPatchOrder). False when it is
+ * inconsistent or too large.
  */
-bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, std::vector<unsigned char>& bytes,
-  std::vector<vtkMTFileFormat::SectionRecord>& sections, std::string& error);
+bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, vtkMTFileFormat::Codec codec,
+  std::vector<unsigned char>& bytes, std::vector<vtkMTFileFormat::Section>& sections, std::string& error);
 
 /// Whether a section's bytes (with padding) are as they were written, and of a codec that is known here.
 bool Check(const vtkMTFileFormat::SectionRecord& section, const unsigned char* padded, std::string& error);
 
-/// The geometry of an arc's patch from its raw bytes. Nothing is allocated before the size has been found right.
-bool DecodeGeometry(
-  const unsigned char* data, std::uint64_t size, const vtkMTArc& arc, vtkMTPatch& patch, std::string& error);
+/// The geometry of an arc's patch from its section's bytes. Nothing is allocated before the sizes have been found
+/// right.
+bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
+  vtkMTPatch& patch, std::string& error);
 
-/// An array's column from its raw bytes.
-bool DecodeColumn(const unsigned char* data, std::uint64_t size, const vtkMTArc& arc, const vtkMTArrayInfo& array,
-  vtkMTColumn& column, std::string& error);
+/// An array's column from its section's bytes.
+bool DecodeColumn(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
+  const vtkMTArrayInfo& array, vtkMTColumn& column, std::string& error);
 }
 
 #endif

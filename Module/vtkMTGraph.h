@@ -60,6 +60,14 @@ struct vtkMTArc
   float MeanEdgeLength = 0.0f; ///< model units
 };
 
+/// Bytes that are carried with the model as they are, such as an image that its texture coordinates speak of.
+struct vtkMTBlobInfo
+{
+  std::string Name;                              ///< as the input calls it
+  std::string Type;                              ///< its media type, "image/png"
+  std::map<std::string, std::string> Properties; ///< what it is for: "texture_coordinates", "material", ...
+};
+
 class VTKMTCORE_EXPORT vtkMTGraph
 {
 public:
@@ -68,6 +76,7 @@ public:
   std::vector<vtkMTArc> Arcs;          ///< sorted by From, then To
   std::vector<std::uint32_t> Entering; ///< arc indices sorted by To, then arc index
   std::vector<vtkMTArrayInfo> Arrays;
+  std::vector<vtkMTBlobInfo> Blobs; ///< their bytes are in the patch source
 
   std::uint64_t InputTriangles = 0; ///< of the input, polygons and strips counted as triangles
   /// How the model was made: "partition", "simplifier" and every setting that has an influence on the bytes.

@@ -28,6 +28,8 @@ public:
   /// arrays: what the columns of all patches are. False on failure, with a message in GetError.
   virtual bool Begin(const std::vector<vtkMTArrayInfo>& arrays) = 0;
   virtual bool WritePatch(vtkMTPatch&& patch) = 0;
+  /// The bytes of the graph's blobs, in their order, at any time between Begin and Finish.
+  virtual bool WriteBlob(std::vector<unsigned char>&& bytes) = 0;
   virtual bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) = 0;
   virtual void Abandon() = 0;
 

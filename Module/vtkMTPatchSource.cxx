@@ -3,3 +3,11 @@
 
 //------------------------------------------------------------------------------
 vtkMTPatchSource::~vtkMTPatchSource() = default;
+
+//------------------------------------------------------------------------------
+bool vtkMTPatchSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const
+{
+  bytes.clear();
+  error = this->GetName() + ": no blob " + std::to_string(blob);
+  return false;
+}

@@ -34,6 +34,9 @@ public:
   virtual bool ReadPatch(
     std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const = 0;
 
+  /// The bytes of one of the graph's blobs. False on failure, as ReadPatch; a source without blobs need not have it.
+  virtual bool ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const;
+
   /// Bytes that reading the arc's patch with all arrays takes from the store; an estimate for budgets.
   virtual std::uint64_t GetPatchSize(std::uint32_t arc) const = 0;
 

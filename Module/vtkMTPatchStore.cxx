@@ -20,10 +20,29 @@ bool vtkMTPatchStore::WritePatch(vtkMTPatch&& patch)
 }
 
 //------------------------------------------------------------------------------
+bool vtkMTPatchStore::WriteBlob(std::vector<unsigned char>&& bytes)
+{
+  this->Blobs.push_back(std::move(bytes));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPatchStore::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const
+{
+  if (blob >= this->Blobs.size())
+  {
+    return this->vtkMTPatchSource::ReadBlob(blob, bytes, error);
+  }
+  bytes = this->Blobs[blob];
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkMTPatchStore::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)
 {
   const std::size_t count = this->Patches.size();
-  bool matches = patchOfArc.size() == graph.Arcs.size() && count == graph.Arcs.size();
+  bool matches =
+    patchOfArc.size() == graph.Arcs.size() && count == graph.Arcs.size() && this->Blobs.size() == graph.Blobs.size();
   std::vector<bool> used(count, false);
   for (std::size_t arc = 0; matches && arc < count; ++arc)
   {
@@ -37,7 +56,7 @@ bool vtkMTPatchStore::Finish(const vtkMTGraph& graph, const std::vector<std::uin
   {
     this->Abandon();
     this->Error = "Patch store: " + std::to_string(count) + " patches do not belong one to one to " +
-      std::to_string(graph.Arcs.size()) + " arcs";
+      std::to_string(graph.Arcs.size()) + " arcs, or blobs to their descriptions";
     return false;
   }
   std::vector<vtkMTPatch> ordered;
@@ -56,6 +75,7 @@ void vtkMTPatchStore::Abandon()
 {
   this->Graph = vtkMTGraph();
   this->Patches.clear();
+  this->Blobs.clear();
 }
 
 //------------------------------------------------------------------------------

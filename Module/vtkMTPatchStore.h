@@ -18,12 +18,14 @@ class VTKMTCORE_EXPORT vtkMTPatchStore
 public:
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
   bool WritePatch(vtkMTPatch&& patch) override;
+  bool WriteBlob(std::vector<unsigned char>&& bytes) override;
   bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) override;
   void Abandon() override;
 
   const vtkMTGraph& GetGraph() const override { return this->Graph; }
   bool ReadPatch(
     std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override;
+  bool ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const override;
   std::uint64_t GetPatchSize(std::uint32_t arc) const override;
   std::string GetName() const override { return "memory"; }
 
@@ -34,6 +36,7 @@ public:
 private:
   vtkMTGraph Graph;
   std::vector<vtkMTPatch> Patches; // in the order of writing until Finish, in arc order after
+  std::vector<std::vector<unsigned char>> Blobs;
 };
 
 #endif

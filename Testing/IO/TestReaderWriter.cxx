@@ -62,7 +62,7 @@ TEST(ReaderWriter, WhatIsWrittenIsRead)
   reader->Update();
   ASSERT_NE(reader->GetOutput(), nullptr);
   ASSERT_NE(reader->GetOutput()->GetSource(), nullptr);
-  ExpectEqual(*data->GetSource(), *reader->GetOutput()->GetSource());
+  ExpectStored(*data->GetSource(), *reader->GetOutput()->GetSource());
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), data->GetNumberOfPolys());
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPatches(), data->GetNumberOfPatches());
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), data->GetPointData()->GetNumberOfArrays());

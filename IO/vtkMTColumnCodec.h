@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The values of an array in a patch, made ready for a codec of bytes. Not installed.
+ *
+ * Every component's values are taken as unsigned integers of their size and replaced by the difference to the one
+ * before, zigzag; then the lowest bytes of all differences come first, then the next ones, and so on. Neighbours in a
+ * patch are neighbours on the surface, so most high bytes are zero. This keeps every bit. Normals that the builder made
+ * are not the input's and are kept as points of an octahedron's net of 4095 x 4095 places, within 0.06 degrees (Meyer
+ * et al., "On floating-point normal vectors", 2010): equal normals stay equal.
+ */
+#ifndef vtkMTColumnCodec_h
+#define vtkMTColumnCodec_h
+
+#include "vtkMTArrayInfo.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace vtkMTColumnCodec
+{
+/// Bytes that a column of so many tuples has once it is made ready.
+std::uint64_t GetPackedSize(const vtkMTArrayInfo& array, std::uint64_t tuples);
+
+std::vector<unsigned char> Pack(const vtkMTArrayInfo& array, const vtkMTColumn& column);
+
+/// packed has GetPackedSize bytes.
+void Unpack(
+  const vtkMTArrayInfo& array, const std::vector<unsigned char>& packed, std::size_t tuples, vtkMTColumn& column);
+
+///@{
+/// A unit vector's place on the net and back. What has no direction is the place { 4095, 4095 } and (0, 0, 0).
+std::array<std::uint16_t, 2> EncodeDirection(const std::array<float, 3>& direction);
+std::array<float, 3> DecodeDirection(const std::array<std::uint16_t, 2>& place);
+///@}
+}
+
+#endif

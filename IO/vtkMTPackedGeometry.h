@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The geometry section of a patch that is compressed. Not installed.
+ *
+ * A record, then the *side stream*, which LZ4 or zstd has made smaller, then the bits of the positions
+ * (vtkMTPositionCodec), which nothing makes smaller. The side stream holds the triangles as meshoptimizer's index codec
+ * has them, a bit per point that says whether it can be shared, the wedges' points, the identities, and what the
+ * positions need besides their bits. Points and wedges are in stream order there (vtkMTPatchOrder).
+ */
+#ifndef vtkMTPackedGeometry_h
+#define vtkMTPackedGeometry_h
+
+#include "vtkMTFileFormat.h"
+#include "vtkMTPatch.h"
+
+#include <string>
+#include <vector>
+
+struct vtkMTArc;
+struct vtkMTPatchOrder;
+
+namespace vtkMTPackedGeometry
+{
+/// Appends a consistent patch's geometry. False when it is too large for the codec.
+bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes);
+
+bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
+  vtkMTPatch& patch, std::string& error);
+}
+
+#endif

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPatchOrder.h"
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+#include <numeric>
+
+#include <meshoptimizer.h>
+
+namespace
+{
+constexpr std::uint32_t None = ~std::uint32_t(0);
+
+const unsigned int* AsIndices(const std::vector<vtkMTTriangle>& triangles)
+{
+  static_assert(sizeof(vtkMTTriangle) == 3 * sizeof(unsigned int), "three indices without padding");
+  return triangles.empty() ? nullptr : triangles.front().data();
+}
+
+// The codec's version is a setting of the whole process; this is the one that knows strips.
+void ChooseIndexVersion()
+{
+  static std::once_flag once;
+  std::call_once(once, [] { meshopt_encodeIndexVersion(1); });
+}
+
+vtkMTTriangle Turned(const vtkMTTriangle& t)
+{
+  const int least = t[0] <= t[1] && t[0] <= t[2] ? 0 : (t[1] <= t[2] ? 1 : 2);
+  return { t[least], t[(least + 1) % 3], t[(least + 2) % 3] };
+}
+
+// For each of the triangles in their new order which one it was; equal ones keep their order.
+std::vector<std::uint32_t> Match(const std::vector<vtkMTTriangle>& before, const std::vector<vtkMTTriangle>& after)
+{
+  const auto sorted = [](const std::vector<vtkMTTriangle>& triangles)
+  {
+    std::vector<std::pair<vtkMTTriangle, std::uint32_t>> keys(triangles.size());
+    for (std::uint32_t t = 0; t < keys.size(); ++t)
+    {
+      keys[t] = { Turned(triangles[t]), t };
+    }
+    std::sort(keys.begin(), keys.end());
+    return keys;
+  };
+  const auto old = sorted(before);
+  const auto fresh = sorted(after);
+  std::vector<std::uint32_t> result(after.size());
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+  {
+    result[fresh[i].second] = old[i].second;
+  }
+  return result;
+}
+
+vtkMTColumn Permute(const vtkMTColumn& column, const std::vector<std::uint32_t>& from)
+{
+  vtkMTColumn result(column.size());
+  const std::size_t size = from.empty() ? 0 : column.size() / from.size();
+  for (std::size_t i = 0; i < from.size() && size > 0; ++i)
+  {
+    std::memcpy(result.data() + i * size, column.data() + from[i] * size, size);
+  }
+  return result;
+}
+
+// Numbers `count` things as they are first met, those that are not met last.
+class FirstUse
+{
+public:
+  explicit FirstUse(std::size_t count)
+    : Number(count, None)
+  {
+  }
+  void Meet(std::uint32_t i)
+  {
+    if (this->Number[i] == None)
+    {
+      this->Number[i] = static_cast<std::uint32_t>(this->Order.size());
+      this->Order.push_back(i);
+    }
+  }
+  void Finish()
+  {
+    for (std::uint32_t i = 0; i < this->Number.size(); ++i)
+    {
+      this->Meet(i);
+    }
+  }
+  std::vector<std::uint32_t> Number; // the new one of each
+  std::vector<std::uint32_t> Order;  // which one is new number i
+};
+
+std::vector<vtkMTTriangle> OptimizeTriangles(const vtkMTPatch& patch)
+{
+  std::vector<vtkMTTriangle> triangles(patch.Triangles.size());
+  if (!triangles.empty())
+  {
+    meshopt_optimizeVertexCacheStrip(
+      triangles.front().data(), AsIndices(patch.Triangles), 3 * triangles.size(), patch.GetNumberOfWedges());
+  }
+  return triangles;
+}
+
+std::vector<unsigned char> EncodeIndices(const std::vector<vtkMTTriangle>& triangles, std::size_t wedges)
+{
+  ChooseIndexVersion();
+  std::vector<unsigned char> bytes(meshopt_encodeIndexBufferBound(3 * triangles.size(), wedges));
+  bytes.resize(meshopt_encodeIndexBuffer(bytes.data(), bytes.size(), AsIndices(triangles), 3 * triangles.size()));
+  return bytes;
+}
+
+// Points and wedges in stream order, and their places in the stored patch, for triangles in some order.
+struct Numbering
+{
+  std::vector<vtkMTTriangle> Triangles;  // of wedges in stream order
+  std::vector<std::uint32_t> WedgeOrder; // the patch's wedge for each in stream order
+  std::vector<std::uint32_t> PointOrder;
+  std::vector<std::uint32_t> WedgePoints; // stream order of points
+  std::vector<std::uint32_t> PointPlace;
+  std::vector<std::uint32_t> WedgePlace;
+
+  Numbering(const vtkMTPatch& patch, const std::vector<vtkMTTriangle>& triangles)
+    : Triangles(triangles)
+  {
+    FirstUse wedges(patch.GetNumberOfWedges());
+    for (vtkMTTriangle& t : this->Triangles)
+    {
+      for (std::uint32_t& w : t)
+      {
+        wedges.Meet(w);
+        w = wedges.Number[w];
+      }
+    }
+    wedges.Finish();
+    FirstUse points(patch.Points.size());
+    for (std::uint32_t w : wedges.Order)
+    {
+      points.Meet(patch.GetPointOfWedge(w));
+    }
+    points.Finish();
+    std::vector<unsigned char> isShared(points.Order.size());
+    for (std::size_t i = 0; i < isShared.size(); ++i)
+    {
+      isShared[i] = points.Order[i] < patch.Ids.size() ? 1 : 0;
+    }
+    for (std::size_t w = 0; w < patch.WedgePoints.size(); ++w)
+    {
+      this->WedgePoints.push_back(points.Number[patch.WedgePoints[wedges.Order[w]]]);
+    }
+    this->PointPlace = vtkMTPatchOrder::PlacePoints(isShared);
+    this->WedgePlace = vtkMTPatchOrder::PlaceWedges(this->WedgePoints, this->PointPlace);
+    this->WedgeOrder = std::move(wedges.Order);
+    this->PointOrder = std::move(points.Order);
+  }
+
+  bool ChangesNothing() const { return this->WedgePlace == this->WedgeOrder && this->PointPlace == this->PointOrder; }
+};
+
+void PermutePoints(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPatch& ordered)
+{
+  ordered.Points.resize(patch.Points.size());
+  ordered.Ids.resize(patch.Ids.size());
+  for (std::size_t i = 0; i < numbering.PointOrder.size(); ++i)
+  {
+    const std::uint32_t from = numbering.PointOrder[i];
+    const std::uint32_t place = numbering.PointPlace[i];
+    ordered.Points[place] = patch.Points[from];
+    if (from < patch.Ids.size())
+    {
+      ordered.Ids[place] = patch.Ids[from];
+    }
+  }
+  std::vector<std::uint32_t> wedgeFrom(numbering.WedgePlace.size());
+  ordered.WedgePoints.resize(patch.WedgePoints.size());
+  for (std::size_t w = 0; w < wedgeFrom.size(); ++w)
+  {
+    wedgeFrom[numbering.WedgePlace[w]] = numbering.WedgeOrder[w];
+    if (!patch.WedgePoints.empty())
+    {
+      ordered.WedgePoints[numbering.WedgePlace[w]] = numbering.PointPlace[numbering.WedgePoints[w]];
+    }
+  }
+  for (const vtkMTColumn& column : patch.PointColumns)
+  {
+    ordered.PointColumns.push_back(Permute(column, wedgeFrom));
+  }
+}
+
+void PermuteTriangles(
+  const vtkMTPatch& patch, const Numbering& numbering, const std::vector<vtkMTTriangle>& stream, vtkMTPatch& ordered)
+{
+  const std::vector<std::uint32_t>& place = numbering.WedgePlace;
+  const std::vector<std::uint32_t>& order = numbering.WedgeOrder;
+  std::vector<vtkMTTriangle> asBefore;
+  for (const vtkMTTriangle& t : stream)
+  {
+    ordered.Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
+    asBefore.push_back({ order[t[0]], order[t[1]], order[t[2]] });
+  }
+  if (patch.CellColumns.empty())
+  {
+    return;
+  }
+  const std::vector<std::uint32_t> from = Match(patch.Triangles, asBefore);
+  for (const vtkMTColumn& column : patch.CellColumns)
+  {
+    ordered.CellColumns.push_back(Permute(column, from));
+  }
+}
+}
+
+bool vtkMTPatchOrder::DecodeIndices(
+  const unsigned char* bytes, std::size_t size, std::uint32_t wedges, std::vector<vtkMTTriangle>& triangles)
+{
+  if (triangles.empty())
+  {
+    return size == 0;
+  }
+  if (meshopt_decodeIndexBuffer(triangles.front().data(), 3 * triangles.size(), sizeof(unsigned int), bytes, size) != 0)
+  {
+    return false;
+  }
+  std::uint32_t largest = 0;
+  for (const vtkMTTriangle& t : triangles)
+  {
+    largest = std::max({ largest, t[0], t[1], t[2] });
+  }
+  return largest < wedges;
+}
+
+std::vector<std::uint32_t> vtkMTPatchOrder::PlacePoints(const std::vector<unsigned char>& isShared)
+{
+  std::vector<std::uint32_t> place(isShared.size());
+  std::uint32_t shared = 0;
+  std::uint32_t own = static_cast<std::uint32_t>(std::count(isShared.begin(), isShared.end(), 1));
+  for (std::size_t i = 0; i < place.size(); ++i)
+  {
+    place[i] = isShared[i] ? shared++ : own++;
+  }
+  return place;
+}
+
+std::vector<std::uint32_t> vtkMTPatchOrder::PlaceWedges(
+  const std::vector<std::uint32_t>& wedgePoints, const std::vector<std::uint32_t>& pointOfStream)
+{
+  if (wedgePoints.empty())
+  {
+    return pointOfStream;
+  }
+  std::vector<std::uint32_t> next(pointOfStream.size() + 1, 0);
+  for (std::uint32_t point : wedgePoints)
+  {
+    ++next[pointOfStream[point] + std::size_t(1)];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<std::uint32_t> place(wedgePoints.size());
+  for (std::size_t w = 0; w < place.size(); ++w)
+  {
+    place[w] = next[pointOfStream[wedgePoints[w]]]++;
+  }
+  return place;
+}
+
+vtkMTPatchOrder vtkMTPatchOrder::Make(const vtkMTPatch& patch)
+{
+  Numbering numbering(patch, patch.Triangles);
+  if (!numbering.ChangesNothing())
+  {
+    numbering = Numbering(patch, OptimizeTriangles(patch));
+  }
+  vtkMTPatchOrder result;
+  result.StreamTriangles = numbering.Triangles;
+  if (!result.StreamTriangles.empty())
+  {
+    result.Indices = EncodeIndices(result.StreamTriangles, patch.GetNumberOfWedges());
+    DecodeIndices(result.Indices.data(), result.Indices.size(), static_cast<std::uint32_t>(patch.GetNumberOfWedges()),
+      result.StreamTriangles);
+  }
+  result.PointOfStream = numbering.PointPlace;
+  result.WedgePoints = numbering.WedgePoints;
+  PermutePoints(patch, numbering, result.Patch);
+  PermuteTriangles(patch, numbering, result.StreamTriangles, result.Patch);
+  return result;
+}
