@@ -2,6 +2,8 @@
 #include "bmtCommon.h"
 #include "bmtModel.h"
 
+#include "vtkMTFileSource.h"
+#include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
 
 #include <CLI/CLI.hpp>
@@ -14,7 +16,18 @@ namespace
 bmtJson Inform(const std::string& path)
 {
   const std::shared_ptr<const vtkMTPatchSource> source = bmtOpenModel(path);
-  return bmtDescribeModel(source->GetGraph(), std::filesystem::file_size(path));
+  const vtkMTGraph& graph = source->GetGraph();
+  bmtJson json = bmtDescribeModel(graph, std::filesystem::file_size(path));
+  if (const auto* file = dynamic_cast<const vtkMTFileSource*>(source.get()))
+  {
+    const std::vector<std::uint64_t> sizes = file->GetSizeByKind();
+    json["bytes_of"]["geometry"] = sizes[0];
+    for (std::size_t i = 0; i < graph.Arrays.size(); ++i)
+    {
+      json["bytes_of"][graph.Arrays[i].Name] = sizes[i + 1];
+    }
+  }
+  return json;
 }
 }
 

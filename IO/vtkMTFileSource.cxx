@@ -199,6 +199,17 @@ std::uint64_t vtkMTFileSource::GetPatchSize(std::uint32_t arc) const
   return size;
 }
 
+std::vector<std::uint64_t> vtkMTFileSource::GetSizeByKind() const
+{
+  std::vector<std::uint64_t> sizes(this->Graph.Arrays.size() + 1, 0);
+  const std::size_t sections = this->Graph.Arcs.size() * sizes.size();
+  for (std::size_t i = 0; i < sections; ++i)
+  {
+    sizes[i % sizes.size()] += Align(this->Implementation->Directory[i].StoredSize);
+  }
+  return sizes;
+}
+
 std::string vtkMTFileSource::GetName() const
 {
   return this->Implementation->Bytes ? this->Implementation->Bytes->GetName() : "no file";

@@ -46,6 +46,9 @@ public:
   std::uint64_t GetPatchSize(std::uint32_t arc) const override;
   std::string GetName() const override;
 
+  /// Bytes that all patches together take for their geometry, then for each of the graph's arrays, padding counted.
+  std::vector<std::uint64_t> GetSizeByKind() const;
+
   /// Bytes of the whole file; 0 when none is open.
   std::uint64_t GetFileSize() const;
 

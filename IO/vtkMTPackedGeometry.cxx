@@ -3,8 +3,10 @@
 
 #include "vtkMTByteCodec.h"
 #include "vtkMTGraph.h"
+#include "vtkMTNumberCode.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTPositionCodec.h"
+#include "vtkMTTriangleCodec.h"
 
 #include <algorithm>
 #include <cstring>
@@ -14,55 +16,8 @@ namespace
 {
 using vtkMTFileFormat::PackedGeometryRecord;
 
-// Numbers of any size, seven bits a byte, lowest first; the high bit says that more follow (LEB128).
-void AppendNumber(std::vector<unsigned char>& bytes, std::uint64_t value)
-{
-  for (; value >= 0x80; value >>= 7)
-  {
-    bytes.push_back(static_cast<unsigned char>(value | 0x80));
-  }
-  bytes.push_back(static_cast<unsigned char>(value));
-}
-
-class SideReader
-{
-public:
-  SideReader(const unsigned char* data, std::size_t size)
-    : Next(data)
-    , End(data + size)
-  {
-  }
-  bool GetNumber(std::uint64_t& value)
-  {
-    value = 0;
-    for (unsigned shift = 0; this->Next != this->End && shift < 64; shift += 7)
-    {
-      const unsigned char byte = *this->Next++;
-      value |= std::uint64_t(byte & 0x7f) << shift;
-      if (byte < 0x80)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  // nullptr when there are not so many bytes left.
-  const unsigned char* GetBytes(std::uint64_t count)
-  {
-    if (count > static_cast<std::uint64_t>(this->End - this->Next))
-    {
-      return nullptr;
-    }
-    const unsigned char* bytes = this->Next;
-    this->Next += count;
-    return bytes;
-  }
-  bool IsAtEnd() const { return this->Next == this->End; }
-
-private:
-  const unsigned char* Next;
-  const unsigned char* End;
-};
+using SideReader = vtkMTNumberCode::Reader;
+using vtkMTNumberCode::Append;
 
 //------------------------------------------------------------------------------
 // Which points can be shared
@@ -103,7 +58,7 @@ void AppendWedges(const std::vector<std::uint32_t>& wedgePoints, std::vector<uns
   std::uint32_t next = 0;
   for (std::uint32_t point : wedgePoints)
   {
-    AppendNumber(side, point == next ? 0 : next - point);
+    Append(side, point == next ? 0 : next - point);
     next += point == next ? 1 : 0;
   }
 }
@@ -115,7 +70,7 @@ bool ReadWedges(SideReader& side, const PackedGeometryRecord& record, std::vecto
   for (std::uint32_t w = 0; w < record.Wedges; ++w)
   {
     std::uint64_t back = 0;
-    if (!side.GetNumber(back) || back > next || (back == 0 && next >= record.Points))
+    if (!side.Get(back) || back > next || (back == 0 && next >= record.Points))
     {
       return false;
     }
@@ -127,11 +82,6 @@ bool ReadWedges(SideReader& side, const PackedGeometryRecord& record, std::vecto
 //------------------------------------------------------------------------------
 // Identities: the high halves are few (a level and a region), so each one is said once; the low half is said as the
 // difference to the one before with the same high half.
-std::uint64_t ToZigzag(std::uint32_t difference)
-{
-  return static_cast<std::uint32_t>((difference << 1) ^ (0u - (difference >> 31)));
-}
-
 void AppendIds(const vtkMTPatchOrder& order, std::vector<unsigned char>& side)
 {
   std::map<std::uint32_t, std::uint32_t> number;
@@ -144,18 +94,18 @@ void AppendIds(const vtkMTPatchOrder& order, std::vector<unsigned char>& side)
       highs.push_back(high);
     }
   }
-  AppendNumber(side, highs.size());
+  Append(side, highs.size());
   for (std::uint32_t high : highs)
   {
-    AppendNumber(side, high);
+    Append(side, high);
   }
   std::vector<std::uint32_t> before(highs.size(), 0);
   for (std::uint64_t id : order.Patch.Ids)
   {
     const std::uint32_t high = number[static_cast<std::uint32_t>(id >> 32)];
     const auto low = static_cast<std::uint32_t>(id);
-    AppendNumber(side, high);
-    AppendNumber(side, ToZigzag(low - before[high]));
+    Append(side, high);
+    Append(side, vtkMTNumberCode::ToZigzag(low - before[high]));
     before[high] = low;
   }
 }
@@ -163,14 +113,14 @@ void AppendIds(const vtkMTPatchOrder& order, std::vector<unsigned char>& side)
 bool ReadIds(SideReader& side, const PackedGeometryRecord& record, std::vector<std::uint64_t>& ids)
 {
   std::uint64_t count = 0;
-  if (!side.GetNumber(count) || count > record.SharedPoints)
+  if (!side.Get(count) || count > record.SharedPoints)
   {
     return false;
   }
   std::vector<std::uint64_t> highs(static_cast<std::size_t>(count));
   for (std::uint64_t& high : highs)
   {
-    if (!side.GetNumber(high) || high > 0xffffffffu)
+    if (!side.Get(high) || high > 0xffffffffu)
     {
       return false;
     }
@@ -181,28 +131,41 @@ bool ReadIds(SideReader& side, const PackedGeometryRecord& record, std::vector<s
   {
     std::uint64_t high = 0;
     std::uint64_t code = 0;
-    if (!side.GetNumber(high) || !side.GetNumber(code) || high >= count || code > 0xffffffffu)
+    if (!side.Get(high) || !side.Get(code) || high >= count || code > 0xffffffffu)
     {
       return false;
     }
-    const auto zigzag = static_cast<std::uint32_t>(code);
-    before[high] += (zigzag >> 1) ^ (0u - (zigzag & 1));
+    before[high] += vtkMTNumberCode::FromZigzag(static_cast<std::uint32_t>(code));
     ids.push_back(highs[high] << 32 | before[high]);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkMTTriangle> ToPoints(std::vector<vtkMTTriangle> triangles, const std::vector<std::uint32_t>& wedgePoints)
+// The bases of wedges as those of points: a point is met with its first wedge.
+vtkMTPositionCodec::Bases ToPoints(
+  const vtkMTPositionCodec::Bases& ofWedges, const std::vector<std::uint32_t>& wedgePoints)
 {
-  if (!wedgePoints.empty())
+  vtkMTPositionCodec::Bases result;
+  const auto pointOf = [&wedgePoints](std::uint32_t w) { return w == vtkMTTriangleCodec::None ? w : wedgePoints[w]; };
+  for (std::size_t w = 0; w < ofWedges.size(); ++w)
   {
-    for (vtkMTTriangle& t : triangles)
+    if (wedgePoints[w] == result.size())
     {
-      t = { wedgePoints[t[0]], wedgePoints[t[1]], wedgePoints[t[2]] };
+      result.push_back({ pointOf(ofWedges[w].A), pointOf(ofWedges[w].B), pointOf(ofWedges[w].C) });
     }
   }
-  return triangles;
+  return result;
+}
+
+// What the decoder will know of every point.
+vtkMTPositionCodec::Bases GetBases(const vtkMTPatchOrder& order)
+{
+  vtkMTPositionCodec::Bases bases;
+  std::vector<vtkMTTriangle> triangles(order.Patch.Triangles.size());
+  vtkMTTriangleCodec::Decode(order.Steps.data(), order.Steps.size(), order.Names.data(), order.Names.size(),
+    order.Patch.GetNumberOfWedges(), triangles, bases);
+  return order.WedgePoints.empty() ? bases : ToPoints(bases, order.WedgePoints);
 }
 
 vtkMTPoint GetCorner(const std::vector<vtkMTPoint>& points)
@@ -224,11 +187,11 @@ bool IsRecordRight(const PackedGeometryRecord& record, const vtkMTArc& arc, std:
     error = "does not have the numbers of points, wedges and triangles that its arc announces";
     return false;
   }
-  // A triangle takes a byte of the side stream at least, 16 points three.
+  // Five triangles take a byte of the side stream at least, 16 points three.
   const bool isPossible = record.Shift <= vtkMTPositionCodec::MaximumShift && record.HasTable <= 1 &&
     record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
     record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(record) &&
-    vtkMTByteCodec::IsPlausible(record.StoredSideSize, record.SideSize) && record.Triangles <= record.SideSize &&
+    vtkMTByteCodec::IsPlausible(record.StoredSideSize, record.SideSize) && record.Triangles / 8 <= record.SideSize &&
     record.Points / 16 <= record.SideSize && (record.HasTable == 0 || record.Wedges <= record.SideSize);
   error = isPossible ? error : "has an impossible header";
   return isPossible;
@@ -238,6 +201,7 @@ bool IsRecordRight(const PackedGeometryRecord& record, const vtkMTArc& arc, std:
 struct Side
 {
   std::vector<vtkMTTriangle> Triangles;
+  vtkMTPositionCodec::Bases Bases; // of wedges
   std::vector<std::uint32_t> WedgePoints;
   std::vector<unsigned char> IsShared;
   std::vector<std::uint64_t> Ids;
@@ -245,9 +209,11 @@ struct Side
 
   bool Read(SideReader& side, const PackedGeometryRecord& record)
   {
-    std::uint64_t indexSize = 0;
-    const unsigned char* indices = side.GetNumber(indexSize) ? side.GetBytes(indexSize) : nullptr;
-    if (!indices || !ReadShared(side, record, this->IsShared) ||
+    std::uint64_t stepsSize = 0;
+    std::uint64_t namesSize = 0;
+    const unsigned char* steps = side.Get(stepsSize) ? side.GetBytes(stepsSize) : nullptr;
+    const unsigned char* names = steps && side.Get(namesSize) ? side.GetBytes(namesSize) : nullptr;
+    if (!names || !ReadShared(side, record, this->IsShared) ||
       (record.HasTable != 0 && !ReadWedges(side, record, this->WedgePoints)) || !ReadIds(side, record, this->Ids))
     {
       return false;
@@ -257,7 +223,8 @@ struct Side
     this->Positions.Widths = side.GetBytes(vtkMTPositionCodec::GetNumberOfBlocks(record.Points));
     this->Triangles.resize(record.Triangles);
     return this->Positions.Coarse && this->Positions.Widths && side.IsAtEnd() &&
-      vtkMTPatchOrder::DecodeIndices(indices, static_cast<std::size_t>(indexSize), record.Wedges, this->Triangles);
+      vtkMTTriangleCodec::Decode(steps, static_cast<std::size_t>(stepsSize), names, static_cast<std::size_t>(namesSize),
+        record.Wedges, this->Triangles, this->Bases);
   }
 };
 
@@ -294,12 +261,13 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
     streamPoints[i] = order.Patch.Points[order.PointOfStream[i]];
   }
   const vtkMTPoint corner = GetCorner(streamPoints);
-  const vtkMTPositionCodec::Packed packed =
-    vtkMTPositionCodec::Encode(streamPoints, ToPoints(order.StreamTriangles, order.WedgePoints), corner);
+  const vtkMTPositionCodec::Packed packed = vtkMTPositionCodec::Encode(streamPoints, GetBases(order), corner);
 
   std::vector<unsigned char> side;
-  AppendNumber(side, order.Indices.size());
-  side.insert(side.end(), order.Indices.begin(), order.Indices.end());
+  Append(side, order.Steps.size());
+  side.insert(side.end(), order.Steps.begin(), order.Steps.end());
+  Append(side, order.Names.size());
+  side.insert(side.end(), order.Names.begin(), order.Names.end());
   AppendShared(order, side);
   AppendWedges(order.WedgePoints, side);
   AppendIds(order, side);
@@ -356,12 +324,11 @@ bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64
   side.Positions.BitsSize = static_cast<std::size_t>(size - before);
   std::vector<vtkMTPoint> points(record.Points);
   const vtkMTPoint corner{ record.Corner[0], record.Corner[1], record.Corner[2] };
-  std::vector<vtkMTTriangle> ofPoints;
   if (!side.WedgePoints.empty())
   {
-    ofPoints = ToPoints(side.Triangles, side.WedgePoints);
+    side.Bases = ToPoints(side.Bases, side.WedgePoints);
   }
-  if (!vtkMTPositionCodec::Decode(side.Positions, side.WedgePoints.empty() ? side.Triangles : ofPoints, corner, points))
+  if (!vtkMTPositionCodec::Decode(side.Positions, side.Bases, corner, points))
   {
     error = "has positions of an impossible length";
     return false;

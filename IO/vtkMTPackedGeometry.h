@@ -3,9 +3,9 @@
  * The geometry section of a patch that is compressed. Not installed.
  *
  * A record, then the *side stream*, which LZ4 or zstd has made smaller, then the bits of the positions
- * (vtkMTPositionCodec), which nothing makes smaller. The side stream holds the triangles as meshoptimizer's index codec
- * has them, a bit per point that says whether it can be shared, the wedges' points, the identities, and what the
- * positions need besides their bits. Points and wedges are in stream order there (vtkMTPatchOrder).
+ * (vtkMTPositionCodec), which nothing makes smaller. The side stream holds the triangles (vtkMTTriangleCodec), a bit
+ * per point that says whether it can be shared, the wedges' points, the identities, and what the positions need besides
+ * their bits. Points and wedges are in stream order there (vtkMTPatchOrder).
  */
 #ifndef vtkMTPackedGeometry_h
 #define vtkMTPackedGeometry_h

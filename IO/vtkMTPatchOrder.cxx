@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchOrder.h"
 
+#include "vtkMTTriangleCodec.h"
+
 #include <algorithm>
 #include <cstring>
-#include <mutex>
 #include <numeric>
-
-#include <meshoptimizer.h>
 
 namespace
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
-
-const unsigned int* AsIndices(const std::vector<vtkMTTriangle>& triangles)
-{
-  static_assert(sizeof(vtkMTTriangle) == 3 * sizeof(unsigned int), "three indices without padding");
-  return triangles.empty() ? nullptr : triangles.front().data();
-}
-
-// The codec's version is a setting of the whole process; this is the one that knows strips.
-void ChooseIndexVersion()
-{
-  static std::once_flag once;
-  std::call_once(once, [] { meshopt_encodeIndexVersion(1); });
-}
 
 vtkMTTriangle Turned(const vtkMTTriangle& t)
 {
@@ -92,25 +78,6 @@ public:
   std::vector<std::uint32_t> Order;  // which one is new number i
 };
 
-std::vector<vtkMTTriangle> OptimizeTriangles(const vtkMTPatch& patch)
-{
-  std::vector<vtkMTTriangle> triangles(patch.Triangles.size());
-  if (!triangles.empty())
-  {
-    meshopt_optimizeVertexCacheStrip(
-      triangles.front().data(), AsIndices(patch.Triangles), 3 * triangles.size(), patch.GetNumberOfWedges());
-  }
-  return triangles;
-}
-
-std::vector<unsigned char> EncodeIndices(const std::vector<vtkMTTriangle>& triangles, std::size_t wedges)
-{
-  ChooseIndexVersion();
-  std::vector<unsigned char> bytes(meshopt_encodeIndexBufferBound(3 * triangles.size(), wedges));
-  bytes.resize(meshopt_encodeIndexBuffer(bytes.data(), bytes.size(), AsIndices(triangles), 3 * triangles.size()));
-  return bytes;
-}
-
 // Points and wedges in stream order, and their places in the stored patch, for triangles in some order.
 struct Numbering
 {
@@ -154,8 +121,6 @@ struct Numbering
     this->WedgeOrder = std::move(wedges.Order);
     this->PointOrder = std::move(points.Order);
   }
-
-  bool ChangesNothing() const { return this->WedgePlace == this->WedgeOrder && this->PointPlace == this->PointOrder; }
 };
 
 void PermutePoints(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPatch& ordered)
@@ -188,13 +153,12 @@ void PermutePoints(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPat
   }
 }
 
-void PermuteTriangles(
-  const vtkMTPatch& patch, const Numbering& numbering, const std::vector<vtkMTTriangle>& stream, vtkMTPatch& ordered)
+void PermuteTriangles(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPatch& ordered)
 {
   const std::vector<std::uint32_t>& place = numbering.WedgePlace;
   const std::vector<std::uint32_t>& order = numbering.WedgeOrder;
   std::vector<vtkMTTriangle> asBefore;
-  for (const vtkMTTriangle& t : stream)
+  for (const vtkMTTriangle& t : numbering.Triangles)
   {
     ordered.Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
     asBefore.push_back({ order[t[0]], order[t[1]], order[t[2]] });
@@ -209,25 +173,6 @@ void PermuteTriangles(
     ordered.CellColumns.push_back(Permute(column, from));
   }
 }
-}
-
-bool vtkMTPatchOrder::DecodeIndices(
-  const unsigned char* bytes, std::size_t size, std::uint32_t wedges, std::vector<vtkMTTriangle>& triangles)
-{
-  if (triangles.empty())
-  {
-    return size == 0;
-  }
-  if (meshopt_decodeIndexBuffer(triangles.front().data(), 3 * triangles.size(), sizeof(unsigned int), bytes, size) != 0)
-  {
-    return false;
-  }
-  std::uint32_t largest = 0;
-  for (const vtkMTTriangle& t : triangles)
-  {
-    largest = std::max({ largest, t[0], t[1], t[2] });
-  }
-  return largest < wedges;
 }
 
 std::vector<std::uint32_t> vtkMTPatchOrder::PlacePoints(const std::vector<unsigned char>& isShared)
@@ -265,22 +210,14 @@ std::vector<std::uint32_t> vtkMTPatchOrder::PlaceWedges(
 
 vtkMTPatchOrder vtkMTPatchOrder::Make(const vtkMTPatch& patch)
 {
-  Numbering numbering(patch, patch.Triangles);
-  if (!numbering.ChangesNothing())
-  {
-    numbering = Numbering(patch, OptimizeTriangles(patch));
-  }
+  vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(patch.Triangles, patch.GetNumberOfWedges());
+  const Numbering numbering(patch, coded.Triangles);
   vtkMTPatchOrder result;
-  result.StreamTriangles = numbering.Triangles;
-  if (!result.StreamTriangles.empty())
-  {
-    result.Indices = EncodeIndices(result.StreamTriangles, patch.GetNumberOfWedges());
-    DecodeIndices(result.Indices.data(), result.Indices.size(), static_cast<std::uint32_t>(patch.GetNumberOfWedges()),
-      result.StreamTriangles);
-  }
+  result.Steps = std::move(coded.Steps);
+  result.Names = std::move(coded.Names);
   result.PointOfStream = numbering.PointPlace;
   result.WedgePoints = numbering.WedgePoints;
   PermutePoints(patch, numbering, result.Patch);
-  PermuteTriangles(patch, numbering, result.StreamTriangles, result.Patch);
+  PermuteTriangles(patch, numbering, result.Patch);
   return result;
 }

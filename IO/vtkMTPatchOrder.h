@@ -3,11 +3,10 @@
  * @class vtkMTPatchOrder
  * @brief the order in which a patch is stored
  *
- * Triangles are put into an order that is good for a GPU's vertex cache and for compression at once (meshoptimizer's
- * vertex cache optimisation for strips) and are turned as its index codec turns them. Wedges are numbered as the
- * triangles first use them (the *stream order*), points as the wedges do; what no triangle uses comes last. In the
- * patch itself points that can be shared come first, each group in stream order, and wedges in order of point. A patch
- * that is in such an order already, as files give them, keeps it.
+ * Triangles come as a front grows over them (vtkMTTriangleCodec), so that neighbours are near: good for compression and
+ * for a GPU's vertex cache. Wedges are numbered as the triangles first use them (the *stream order*), points as the
+ * wedges do; what no triangle uses comes last. In the patch itself points that can be shared come first, each group in
+ * stream order, and wedges in order of point.
  */
 #ifndef vtkMTPatchOrder_h
 #define vtkMTPatchOrder_h
@@ -20,19 +19,14 @@
 
 struct VTKMTIO_EXPORT vtkMTPatchOrder
 {
-  vtkMTPatch Patch; ///< the same patch in the order of storage
-  std::vector<unsigned char>
-    Indices; ///< the triangles' wedges in stream order, as meshoptimizer's index codec has them
-  std::vector<vtkMTTriangle> StreamTriangles; ///< the same, not coded
-  std::vector<std::uint32_t> WedgePoints;     ///< stream order of points for each wedge in stream order
-  std::vector<std::uint32_t> PointOfStream;   ///< the patch's point for each one in stream order
+  vtkMTPatch Patch;                         ///< the same patch in the order of storage
+  std::vector<unsigned char> Steps;         ///< its triangles, coded
+  std::vector<unsigned char> Names;         ///< the same
+  std::vector<std::uint32_t> WedgePoints;   ///< stream order of points for each wedge in stream order, or empty
+  std::vector<std::uint32_t> PointOfStream; ///< the patch's point for each one in stream order
 
   /// The patch must be consistent: every index in range.
   static vtkMTPatchOrder Make(const vtkMTPatch& patch);
-
-  /// The codec's inverse: fills triangles, whose number is given. False when the bytes are damaged.
-  static bool DecodeIndices(
-    const unsigned char* bytes, std::size_t size, std::uint32_t wedges, std::vector<vtkMTTriangle>& triangles);
 
   /**
    * Final places from stream order: pointOfStream from the flags of shared points, then wedgeOfStream, the patch's

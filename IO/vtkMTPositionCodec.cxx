@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPositionCodec.h"
 
+#include "vtkMTNumberCode.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -8,21 +10,13 @@
 namespace
 {
 using Triple = std::array<std::uint32_t, 3>; // coordinates modulo 2^32
-constexpr std::uint32_t None = ~std::uint32_t(0);
+using vtkMTNumberCode::FromZigzag;
+using vtkMTNumberCode::ToZigzag;
+using vtkMTTriangleCodec::None;
 
 Triple ToTriple(const vtkMTPoint& p)
 {
   return { static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]), static_cast<std::uint32_t>(p[2]) };
-}
-
-std::uint32_t ToZigzag(std::uint32_t difference)
-{
-  return (difference << 1) ^ (0u - (difference >> 31));
-}
-
-std::uint32_t FromZigzag(std::uint32_t code)
-{
-  return (code >> 1) ^ (0u - (code & 1));
 }
 
 // Rounded to a multiple of 2^shift and counted in these, as signed numbers are shifted.
@@ -31,80 +25,23 @@ std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(x + (1u << (shift - 1))) >> shift);
 }
 
-// Walks over the points in stream order and says where each is expected. The visitor puts the point into points before
-// it returns.
-class Predictor
+// Where point i is expected; all points before it are known.
+Triple Expect(const std::vector<vtkMTPoint>& points, const vtkMTPositionCodec::Bases& bases, std::size_t i,
+  const vtkMTPoint& corner)
 {
-public:
-  Predictor(const std::vector<vtkMTTriangle>& triangles, const std::vector<vtkMTPoint>& points)
-    : Triangles(triangles)
-    , Points(points)
-    , Latest(points.size(), None)
+  if (i >= bases.size() || bases[i].A == None)
   {
+    return ToTriple(i > 0 ? points[i - 1] : corner);
   }
-
-  template <class Visit>
-  void Run(const vtkMTPoint& corner, Visit&& visit)
+  const Triple a = ToTriple(points[bases[i].A]);
+  if (bases[i].C == None)
   {
-    std::uint32_t next = 0;
-    Triple expected = ToTriple(corner);
-    for (std::uint32_t t = 0; t < this->Triangles.size(); ++t)
-    {
-      const vtkMTTriangle& p = this->Triangles[t];
-      for (int c = 0; c < 3; ++c)
-      {
-        if (p[c] == next)
-        {
-          visit(next, this->Expect(p[(c + 1) % 3], p[(c + 2) % 3], next, expected));
-          expected = ToTriple(this->Points[next]);
-          ++next;
-        }
-      }
-      this->Latest[p[0]] = this->Latest[p[1]] = this->Latest[p[2]] = t;
-    }
-    for (; next < this->Points.size(); ++next) // no triangle uses these
-    {
-      visit(next, expected);
-      expected = ToTriple(this->Points[next]);
-    }
+    return a;
   }
-
-private:
-  // a and b are the other corners; those below `next` are known.
-  Triple Expect(std::uint32_t a, std::uint32_t b, std::uint32_t next, const Triple& last) const
-  {
-    if (a >= next || b >= next)
-    {
-      return a < next ? ToTriple(this->Points[a]) : (b < next ? ToTriple(this->Points[b]) : last);
-    }
-    const Triple x = ToTriple(this->Points[a]);
-    const Triple y = ToTriple(this->Points[b]);
-    std::uint32_t across = this->FindAcross(this->Latest[a], a, b);
-    across = across != None ? across : this->FindAcross(this->Latest[b], a, b);
-    if (across == None || across >= next)
-    {
-      return x;
-    }
-    const Triple z = ToTriple(this->Points[across]);
-    return { x[0] + y[0] - z[0], x[1] + y[1] - z[1], x[2] + y[2] - z[2] };
-  }
-
-  // The third corner of a triangle that has both a and b.
-  std::uint32_t FindAcross(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const
-  {
-    if (triangle == None)
-    {
-      return None;
-    }
-    const vtkMTTriangle& t = this->Triangles[triangle];
-    const auto has = [&t](std::uint32_t p) { return t[0] == p || t[1] == p || t[2] == p; };
-    return has(a) && has(b) ? t[0] ^ t[1] ^ t[2] ^ a ^ b : None;
-  }
-
-  const std::vector<vtkMTTriangle>& Triangles;
-  const std::vector<vtkMTPoint>& Points;
-  std::vector<std::uint32_t> Latest; // the triangle that used a point last
-};
+  const Triple b = ToTriple(points[bases[i].B]);
+  const Triple c = ToTriple(points[bases[i].C]);
+  return { a[0] + b[0] - c[0], a[1] + b[1] - c[1], a[2] + b[2] - c[2] };
+}
 
 // How many low bits are zero in all three coordinates.
 unsigned CountZeros(const vtkMTPoint& p)
@@ -226,8 +163,7 @@ private:
 
 namespace vtkMTPositionCodec
 {
-Packed Encode(
-  const std::vector<vtkMTPoint>& points, const std::vector<vtkMTTriangle>& triangles, const vtkMTPoint& corner)
+Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const vtkMTPoint& corner)
 {
   Packed packed;
   packed.Shift = ChooseShift(points);
@@ -237,23 +173,22 @@ Packed Encode(
   {
     axis.resize(points.size());
   }
-  Predictor(triangles, points)
-    .Run(corner,
-      [&](std::uint32_t i, const Triple& expected)
-      {
-        const bool isCoarse = packed.Shift > 0 && CountZeros(points[i]) >= packed.Shift;
-        if (isCoarse)
-        {
-          packed.Coarse[i / 8] |= static_cast<unsigned char>(1u << (i % 8));
-        }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
-          codes[axis][i] = ToZigzag(isCoarse
-              ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
-              : x - expected[axis]);
-        }
-      });
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Triple expected = Expect(points, bases, i, corner);
+    const bool isCoarse = packed.Shift > 0 && CountZeros(points[i]) >= packed.Shift;
+    if (isCoarse)
+    {
+      packed.Coarse[i / 8] |= static_cast<unsigned char>(1u << (i % 8));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
+      codes[axis][i] = ToZigzag(isCoarse
+          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
+          : x - expected[axis]);
+    }
+  }
   BitWriter writer(packed.Bits);
   ForBlocks(points.size(),
     [&](std::size_t, int axis, std::size_t begin, std::size_t count)
@@ -269,8 +204,7 @@ Packed Encode(
   return packed;
 }
 
-bool Decode(const Source& source, const std::vector<vtkMTTriangle>& triangles, const vtkMTPoint& corner,
-  std::vector<vtkMTPoint>& points)
+bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, std::vector<vtkMTPoint>& points)
 {
   std::size_t bits = 0;
   bool areWidthsRight = true;
@@ -284,27 +218,23 @@ bool Decode(const Source& source, const std::vector<vtkMTTriangle>& triangles, c
   {
     return false;
   }
-  std::vector<std::uint32_t> codes(3 * points.size());
-  BitReader reader(source.Bits, source.BitsSize);
-  ForBlocks(points.size(),
-    [&](std::size_t block, int axis, std::size_t begin, std::size_t count) {
-      reader.Get(codes.data() + static_cast<std::size_t>(axis) * points.size() + begin, count, source.Widths[block]);
-    });
-  const std::uint32_t* code = codes.data();
   const std::size_t stride = points.size();
-  Predictor(triangles, points)
-    .Run(corner,
-      [&](std::uint32_t i, const Triple& expected)
-      {
-        const bool isCoarse = source.Shift > 0 && GetBit(source.Coarse, i);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          const std::uint32_t difference = FromZigzag(code[axis * stride + i]);
-          points[i][axis] =
-            static_cast<std::int32_t>(isCoarse ? (Coarsen(expected[axis], source.Shift) + difference) << source.Shift
-                                               : expected[axis] + difference);
-        }
-      });
+  std::vector<std::uint32_t> codes(3 * stride);
+  BitReader reader(source.Bits, source.BitsSize);
+  ForBlocks(stride,
+    [&](std::size_t block, int axis, std::size_t begin, std::size_t count)
+    { reader.Get(codes.data() + static_cast<std::size_t>(axis) * stride + begin, count, source.Widths[block]); });
+  for (std::size_t i = 0; i < stride; ++i)
+  {
+    const Triple expected = Expect(points, bases, i, corner);
+    const bool isCoarse = source.Shift > 0 && GetBit(source.Coarse, i);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::uint32_t difference = FromZigzag(codes[axis * stride + i]);
+      points[i][axis] = static_cast<std::int32_t>(
+        isCoarse ? (Coarsen(expected[axis], source.Shift) + difference) << source.Shift : expected[axis] + difference);
+    }
+  }
   return true;
 }
 }

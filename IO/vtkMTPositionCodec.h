@@ -2,8 +2,8 @@
 /**
  * The points of a patch as differences to what their neighbours let expect. Not installed.
  *
- * A point is expected where it completes a parallelogram with the triangle on the other side of the edge at which its
- * first triangle hangs (Touma and Gotsman, "Triangle mesh compression", 1998). The differences of each axis are packed
+ * A point is expected where it completes a parallelogram with the triangle across the gate at which it is met (Touma
+ * and Gotsman, "Triangle mesh compression", 1998). The differences of each axis are packed
  * in blocks of 16 with as many bits as the block's largest one needs. Where most points of a patch lie on a multiple of
  * a power of two, as the builder leaves them on coarse levels, a bit per point says so and its differences are that
  * much shorter. All arithmetic is modulo 2^32, so every sequence of bytes means some points.
@@ -12,6 +12,7 @@
 #define vtkMTPositionCodec_h
 
 #include "vtkMTPatch.h"
+#include "vtkMTTriangleCodec.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -35,9 +36,11 @@ inline std::size_t GetNumberOfBlocks(std::size_t points)
   return 3 * ((points + BlockSize - 1) / BlockSize);
 }
 
-/// points in stream order; triangles of them; the corner is what the first one is compared with.
-Packed Encode(
-  const std::vector<vtkMTPoint>& points, const std::vector<vtkMTTriangle>& triangles, const vtkMTPoint& corner);
+using Bases = std::vector<vtkMTTriangleCodec::Basis>;
+
+/// points in stream order; a basis of earlier points for each, as far as there are bases; without one a point is
+/// expected where the one before it is, the first one at the corner.
+Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const vtkMTPoint& corner);
 
 /// What Decode reads, checked by the caller to be as long as the number of points makes it.
 struct Source
@@ -50,8 +53,7 @@ struct Source
 };
 
 /// Fills points, whose number is given. False when the bits are not as many as the widths say.
-bool Decode(const Source& source, const std::vector<vtkMTTriangle>& triangles, const vtkMTPoint& corner,
-  std::vector<vtkMTPoint>& points);
+bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, std::vector<vtkMTPoint>& points);
 }
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "vtkMTAssembler.h"
 #include "vtkMTAttributeTransfer.h"
+#include "vtkMTCoarsePoints.h"
 #include "vtkMTDeviation.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTSimplifier.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace
@@ -151,6 +153,20 @@ vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
 }
 }
 
+void vtkMTRegionStep::RoundPoints(std::vector<vtkMTReach>& reach)
+{
+  const double way =
+    vtkMTCoarsePoints::Round(this->Fragment, vtkMTCoarsePoints::ChooseShift(this->Error, this->EdgeLength));
+  // A bound in double precision is a bound still after one more rounding up.
+  const auto add = [](double sum)
+  { return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity()); };
+  for (std::size_t t = 0; t < reach.size() && way > 0.0; ++t)
+  {
+    reach[t] = { add(reach[t].ToInput + way), add(reach[t].FromInput + way) };
+    this->Error = std::max({ this->Error, double(reach[t].ToInput), double(reach[t].FromInput) });
+  }
+}
+
 vtkMTArrayInfo vtkMTRegionStep::GetReachInfo()
 {
   static_assert(sizeof(vtkMTReach) == 2 * sizeof(float), "two numbers without padding");
@@ -204,6 +220,8 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
   this->Error =
     vtkMTDeviation::Between(floor, floorTree, this->Fragment, fragmentTree, origin, floorReach, reach).UpperBound;
   this->EdgeLength = this->Fragment.GetMeanEdgeLength();
+  this->RoundPoints(reach);
+  simplification.Points = this->Fragment.Points;
   vtkMTAttributeTransfer::Run(floor, floorTree, origin, simplification, inputArrays, this->Fragment);
   this->Fragment.CellColumns.push_back(ToColumn(reach));
   if (this->Fragment.Triangles.size() > target)

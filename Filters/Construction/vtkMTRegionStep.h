@@ -22,6 +22,7 @@
 #include <vector>
 
 class vtkMTSimplifier;
+struct vtkMTReach;
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 {
@@ -50,6 +51,9 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 
   /// False on failure, with a message in error. floorPatches are consumed.
   bool Run(std::vector<vtkMTPatch>& floorPatches, const Context& context, std::string& error);
+
+private:
+  void RoundPoints(std::vector<vtkMTReach>& reach);
 };
 
 #endif

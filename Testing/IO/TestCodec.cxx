@@ -365,3 +365,59 @@ TEST(Codec, BlobsComeBackAndAreCheckedAsEverythingElse)
   EXPECT_FALSE(forgetful.Begin({}) && forgetful.WritePatch(vtkMTPatch(patch)) && forgetful.Finish(graph, { 0 }));
   EXPECT_NE(forgetful.GetError().find("blobs"), std::string::npos);
 }
+
+// What Documentation/file-format.md says suffices to write a reader: one in Python shares no code with this one.
+TEST(Codec, AReaderWrittenFromTheTablesReadsTheSame)
+{
+  Folder folder;
+  Random random(12);
+  const std::vector<vtkMTArrayInfo> arrays = { MakeInfo(VTK_FLOAT, 3, vtkMTArrayInfo::Point),
+    MakeInfo(VTK_UNSIGNED_CHAR, 4, vtkMTArrayInfo::Point), MakeInfo(VTK_ID_TYPE, 1, vtkMTArrayInfo::Cell),
+    MakeInfo(VTK_SHORT, 2, vtkMTArrayInfo::Cell) };
+  for (int round = 0; round < 12; ++round)
+  {
+    vtkMTPatch patch = MakeField(random, 2 + round, round % 4, static_cast<unsigned>(round), 1 + round * 5000);
+    if (round % 3 == 0) // a part of it alone, with holes and points of no triangle
+    {
+      patch.Triangles.resize(patch.Triangles.size() / 2);
+    }
+    AddColumns(random, arrays, patch);
+    vtkMTGraph graph = MakeGraph(patch, arrays);
+    graph.Blobs.push_back({ "a picture", "image/png", {} });
+    const std::string path = folder / "model.bmt";
+    vtkMTFileSink sink(path, Compressions[round % 3]);
+    ASSERT_TRUE(sink.Begin(arrays) && sink.WritePatch(vtkMTPatch(patch)) && sink.WriteBlob(Bytes(5, 9)) &&
+      sink.Finish(graph, { 0 }));
+    const std::string command = std::string("python3 ") + MT_SOURCE_DIRECTORY + "/Testing/IO/read_model.py " + path +
+      " " + (folder / "dump") + " > " + (folder / "log") + " 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0)
+      << std::string(reinterpret_cast<const char*>(ReadFile(folder / "log").data()), ReadFile(folder / "log").size());
+    vtkMTFileSource source;
+    std::string error;
+    vtkMTPatch read;
+    ASSERT_TRUE(source.Open(path, error) && source.ReadPatch(0, nullptr, read, error)) << error;
+    Bytes expected;
+    const auto put = [&expected](const void* data, std::size_t size)
+    {
+      const auto* bytes = static_cast<const unsigned char*>(data);
+      expected.insert(expected.end(), bytes, bytes + size);
+    };
+    const std::uint32_t counts[4] = { static_cast<std::uint32_t>(read.Points.size()),
+      static_cast<std::uint32_t>(read.Ids.size()), static_cast<std::uint32_t>(read.WedgePoints.size()),
+      static_cast<std::uint32_t>(read.Triangles.size()) };
+    put(counts, sizeof(counts));
+    put(read.Points.data(), read.Points.size() * sizeof(vtkMTPoint));
+    put(read.Ids.data(), read.Ids.size() * sizeof(std::uint64_t));
+    put(read.WedgePoints.data(), read.WedgePoints.size() * sizeof(std::uint32_t));
+    put(read.Triangles.data(), read.Triangles.size() * sizeof(vtkMTTriangle));
+    std::size_t next[2] = { 0, 0 };
+    for (const vtkMTArrayInfo& info : arrays)
+    {
+      const vtkMTColumn& column =
+        info.Association == vtkMTArrayInfo::Point ? read.PointColumns[next[0]++] : read.CellColumns[next[1]++];
+      put(column.data(), column.size());
+    }
+    put("\t\t\t\t\t", 5);
+    EXPECT_TRUE(ReadFile(folder / "dump") == expected) << "round " << round;
+  }
+}

@@ -6,6 +6,8 @@
 
 #include "vtkMTFileSource.h"
 #include "vtkMultiTriangulation.h"
+#include "vtkMTFileSource.h"
+#include "vtkMTMemoryByteSource.h"
 #include "vtkMultiTriangulationReader.h"
 #include "vtkMultiTriangulationWriter.h"
 
@@ -82,7 +84,11 @@ TEST(ReaderWriter, FileMayBeReplacedByWhatWasReadFromIt)
   again->SetInputConnection(reader->GetOutputPort());
   again->SetFileName((folder / "model.bmt").c_str());
   ASSERT_EQ(again->Write(), 1);
-  EXPECT_EQ(ReadFile(folder / "model.bmt"), before);
+  vtkMTFileSource sources[2];
+  std::string error;
+  ASSERT_TRUE(sources[0].Open(std::make_shared<vtkMTMemoryByteSource>(Bytes(before)), error)) << error;
+  ASSERT_TRUE(sources[1].Open(folder / "model.bmt", error)) << error;
+  ExpectStored(sources[0], sources[1]);
 }
 
 TEST(ReaderWriter, PlainPolyDataIsRefusedByTheWriter)

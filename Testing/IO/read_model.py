@@ -1,0 +1,440 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads a Multi-Triangulation file by the tables of Documentation/file-format.md alone.
+
+usage: read_model.py MODEL.bmt DUMP
+
+DUMP gets, for every arc in order: counts of points, ids, wedges of the table and triangles (u32 each), then points (i32),
+ids (u64), the wedge table (u32), triangles (u32), then the columns of all arrays as they are in memory; at the end the
+blobs. The libraries that the format names are called directly: LZ4, zstd, xxHash.
+"""
+import ctypes
+import ctypes.util
+import math
+import struct
+import sys
+
+MASK = 0xFFFFFFFF
+OPEN, BORDER, GONE = range(3)
+
+
+def library(name, fallback):
+    return ctypes.CDLL(ctypes.util.find_library(name) or fallback)
+
+
+XXHASH = library("xxhash", "libxxhash.so.0")
+XXHASH.XXH3_64bits.restype = ctypes.c_uint64
+XXHASH.XXH3_64bits.argtypes = [ctypes.c_char_p, ctypes.c_size_t]
+LZ4 = library("lz4", "liblz4.so.1")
+ZSTD = library("zstd", "libzstd.so.1")
+ZSTD.ZSTD_decompress.restype = ctypes.c_size_t
+ZSTD.ZSTD_decompress.argtypes = [ctypes.c_char_p, ctypes.c_size_t, ctypes.c_char_p, ctypes.c_size_t]
+
+
+def require(condition, what):
+    if not condition:
+        raise SystemExit(f"read_model.py: {what}")
+
+
+def align(size, to=16):
+    return (size + to - 1) // to * to
+
+
+def check(data, checksum, what):
+    require(XXHASH.XXH3_64bits(data, len(data)) == checksum, f"the checksum of {what} is wrong")
+
+
+def decompress(codec, data, size):
+    if size == 0:
+        return b""
+    out = ctypes.create_string_buffer(size)
+    if codec == 1:
+        done = LZ4.LZ4_decompress_safe(data, out, len(data), size)
+    else:
+        done = ZSTD.ZSTD_decompress(out, size, data, len(data))
+    require(done == size, "a block cannot be decompressed")
+    return out.raw[:size]
+
+
+class Stream:
+    """Numbers and bytes one after the other."""
+
+    def __init__(self, data):
+        self.data = data
+        self.at = 0
+
+    def take(self, count):
+        require(self.at + count <= len(self.data), "a block is too short")
+        self.at += count
+        return self.data[self.at - count:self.at]
+
+    def unpack(self, what):
+        return struct.unpack("<" + what, self.take(struct.calcsize("<" + what)))
+
+    def number(self):
+        value = shift = 0
+        while True:
+            byte = self.take(1)[0]
+            value |= (byte & 0x7F) << shift
+            shift += 7
+            if byte < 0x80:
+                return value
+
+    def string(self):
+        return self.take(self.unpack("I")[0])
+
+    def mapping(self, value):
+        return {self.string(): value() for _ in range(self.unpack("I")[0])}
+
+
+def bits(data, count):
+    return [data[i // 8] >> (i % 8) & 1 for i in range(count)]
+
+
+def signed(value, width=32):
+    value &= (1 << width) - 1
+    return value - (1 << width) if value >> (width - 1) else value
+
+
+def unzigzag(code, width=32):
+    return ((code >> 1) ^ -(code & 1)) & ((1 << width) - 1)
+
+
+class Header:
+    def __init__(self, data):
+        require(data[:8] == bytes([0x89, 0x42, 0x4D, 0x54, 0x0D, 0x0A, 0x1A, 0x0A]), "no Multi-Triangulation file")
+        (self.version, size, self.file_size, self.nodes_at, self.arcs_at, self.directory_at, self.metadata_at,
+         self.metadata_size, self.patches_at, self.nodes, self.arcs, self.arrays, self.shared_borders,
+         self.input_triangles, self.step, ox, oy, oz, self.shift, self.blobs) = struct.unpack(
+             "<IIQQQQQQQIIIIQdqqqdI", data[8:140])
+        self.origin = (ox, oy, oz)
+        require(self.version == 2 and size == 256 and self.file_size == len(data), "another version, or cut off")
+        dag, head = struct.unpack("<QQ", data[240:256])
+        check(data[:248], head, "the header")
+        check(data[256:self.patches_at], dag, "the DAG block")
+        require(self.nodes_at == 256 and self.arcs_at == align(256 + 64 * self.nodes)
+                and self.directory_at == align(self.arcs_at + 72 * self.arcs)
+                and self.metadata_at == align(
+                    self.directory_at + 16 * (self.arcs * (1 + self.arrays) + self.blobs))
+                and self.patches_at == align(self.metadata_at + self.metadata_size, 4096), "blocks out of place")
+
+
+class Array:
+    def __init__(self, stream):
+        self.name = stream.string()
+        self.type, self.components, self.attribute, self.tuple_size = stream.unpack("iiiI")
+        self.association, self.resampling, self.role, _ = stream.unpack("BBBB")
+        self.component_names = [stream.string() for _ in range(stream.unpack("I")[0])]
+
+
+class Model:
+    def __init__(self, data):
+        self.data = data
+        self.header = head = Header(data)
+        self.nodes = [struct.unpack_from("<7dII", data, head.nodes_at + 64 * i) for i in range(head.nodes)]
+        self.arcs = [struct.unpack_from("<6I6i3fffI", data, head.arcs_at + 72 * i) for i in range(head.arcs)]
+        metadata = Stream(data[head.metadata_at:head.metadata_at + head.metadata_size])
+        self.arrays = [Array(metadata) for _ in range(head.arrays)]
+        self.blobs = [(metadata.string(), metadata.string(), metadata.mapping(metadata.string))
+                      for _ in range(head.blobs)]
+        self.settings = metadata.mapping(metadata.string)
+        self.input_report = metadata.mapping(lambda: metadata.unpack("q")[0])
+        self.blocked = metadata.mapping(lambda: metadata.unpack("q")[0])
+        require(metadata.at == head.metadata_size, "metadata of another length")
+        self.sections = []
+        at = head.patches_at
+        for i in range(head.arcs * (1 + head.arrays) + head.blobs):
+            checksum, size, codec = struct.unpack_from("<QIB", data, head.directory_at + 16 * i)
+            self.sections.append((at, size, codec, checksum))
+            at += align(size)
+        require(at == len(data), "the directory does not account for all bytes")
+
+    def section(self, index):
+        at, size, codec, checksum = self.sections[index]
+        check(self.data[at:at + align(size)], checksum, f"section {index}")
+        return codec, self.data[at:at + size]
+
+
+class Patch:
+    """points, ids, wedges (the table, or None), triangles."""
+
+    def __init__(self, arc, codec, data):
+        self.record = struct.unpack_from("<4I3i", data)
+        self.points_count, self.wedges_count, self.triangles_count, self.shared = self.record[:4]
+        require(self.record[:4] == (arc[3], arc[4], arc[2], arc[5]), "counts differ from the arc's")
+        self.corner = self.record[4:7]
+        if codec == 0:
+            self.read_raw(data)
+        else:
+            self.read_packed(codec, data)
+
+    def read_raw(self, data):
+        a, b, c, d, first = struct.unpack_from("<4BQ", data, 28)
+        stream = Stream(data[40:])
+
+        def numbers(count, width):
+            raw = stream.take(count * width)
+            return [int.from_bytes(raw[i:i + width], "little") for i in range(0, len(raw), width)]
+
+        flat = numbers(3 * self.points_count, a)
+        self.points = [tuple(self.corner[k] + flat[3 * i + k] for k in range(3)) for i in range(self.points_count)]
+        self.ids = [(first + x) % 2**64 for x in numbers(self.shared, b)]
+        self.wedges = numbers(self.wedges_count, c) if c else None
+        flat = numbers(3 * self.triangles_count, d)
+        self.triangles = [tuple(flat[3 * i:3 * i + 3]) for i in range(self.triangles_count)]
+        require(stream.at == len(stream.data), "a geometry section of another length")
+
+    def read_packed(self, codec, data):
+        shift, has_table, zero, side_size, stored = struct.unpack_from("<BBHII", data, 28)
+        require(zero == 0, "a reserved byte is not 0")
+        side = Stream(decompress(codec, data[40:40 + stored], side_size))
+        steps = side.take(side.number())
+        names = Stream(side.take(side.number()))
+        triangles, bases = self.read_triangles(int.from_bytes(steps, "little"), 8 * len(steps), names)
+        is_shared = bits(side.take((self.points_count + 7) // 8), self.points_count)
+        wedge_points = self.read_wedges(side) if has_table else None
+        self.read_ids(side)
+        coarse = bits(side.take((self.points_count + 7) // 8), self.points_count) if shift else None
+        if has_table:
+            first = {}
+            for w, p in enumerate(wedge_points):
+                first.setdefault(p, w)
+            bases = {p: [wedge_points[x] for x in bases.get(w, [])] for p, w in first.items()}
+        points = self.read_points(bases, shift, coarse, side, data[40 + stored:])
+        require(side.at == len(side.data), "a side stream of another length")
+        self.place(points, is_shared, wedge_points, triangles)
+
+    def read_triangles(self, steps, bits_left, names):
+        triangles = []
+        bases = {}  # of the vertices that were met: [], [a] or [a, b, c]
+        gates = []  # [from, to, across, previous, next, state]
+        stack = []
+        gate_from = {}
+
+        def name(basis):
+            back = names.number()
+            if back:
+                return len(bases) - back
+            bases[len(bases)] = basis
+            return len(bases) - 1
+
+        def link(a, b):
+            gates[a][4] = b
+            gates[b][3] = a
+
+        def add(start, end, across):
+            gates.append([start, end, across, len(gates), len(gates), OPEN])
+            gate_from[start] = len(gates) - 1
+            return len(gates) - 1
+
+        def split(gate, vertex):
+            start, end, _, previous, following, _ = gates[gate]
+            there = gate_from.get(vertex, gate)
+            left, right = add(start, vertex, end), add(vertex, end, start)
+            link(right if previous == gate else previous, left)
+            link(left, right)
+            link(right, left if following == gate else following)
+            gates[gate][5] = GONE
+            if there != gate and gates[there][5] != GONE:
+                link(gates[there][3], right)
+                link(left, there)
+            stack.extend([left, right])
+
+        def join(first, second, across):
+            before, after = gates[first][3], gates[second][4]
+            joined = add(gates[first][0], gates[second][1], across)
+            link(joined if before == second else before, joined)
+            link(joined, joined if after == first else after)
+            gates[first][5] = gates[second][5] = GONE
+            stack.append(joined)
+
+        while len(triangles) < self.triangles_count:
+            while stack and gates[stack[-1]][5] != OPEN:
+                stack.pop()
+            if not stack:
+                t = []
+                for _ in range(3):
+                    t.append(name(t[-1:]))
+                first = len(gates)
+                for c in range(3):
+                    gates.append([t[c], t[(c + 1) % 3], t[(c + 2) % 3], first + (c + 2) % 3, first + (c + 1) % 3, OPEN])
+                    gate_from[t[c]] = first + c
+                stack.extend([first + 2, first + 1, first])
+                triangles.append(tuple(t))
+                continue
+            gate = stack.pop()
+            start, end, across, previous, following, _ = gates[gate]
+            step = 0
+            while step < 5 and steps & 1:
+                steps >>= 1
+                step += 1
+                bits_left -= 1
+            if step < 5:
+                steps >>= 1
+                bits_left -= 1
+            require(bits_left >= 0, "the steps are too short")
+            if step == 3:
+                gates[gate][5] = BORDER
+                continue
+            if step == 0:
+                third = len(bases)
+                bases[third] = [start, end, across]
+                split(gate, third)
+            elif step == 4:
+                third = len(bases) - names.number()
+                split(gate, third)
+            elif step == 2:
+                third = gates[previous][0]
+                join(previous, gate, start)
+            else:
+                third = gates[following][1]
+                if step == 1:
+                    join(gate, following, end)
+                else:
+                    before, after = gates[previous][3], gates[following][4]
+                    gates[gate][5] = gates[previous][5] = gates[following][5] = GONE
+                    link(before, after)
+            triangles.append((end, start, third))
+        require(bits_left < 8 and steps == 0 and names.at == len(names.data), "the steps are too long")
+        return triangles, bases
+
+    def read_wedges(self, side):
+        points = []
+        following = 0
+        for _ in range(self.wedges_count):
+            back = side.number()
+            points.append(following - back)
+            following += back == 0
+        return points
+
+    def read_ids(self, side):
+        highs = [side.number() for _ in range(side.number())]
+        before = [0] * len(highs)
+        self.ids = []
+        for _ in range(self.shared):
+            high = side.number()
+            before[high] = (before[high] + unzigzag(side.number())) & MASK
+            self.ids.append(highs[high] << 32 | before[high])
+
+    def read_points(self, bases, shift, coarse, side, data):
+        count = self.points_count
+        blocks = [min(16, count - begin) for begin in range(0, count, 16)]
+        widths = side.take(3 * len(blocks))
+        everything = int.from_bytes(data, "little")
+        at = 0
+        codes = []
+        for axis in range(3):
+            codes.append([])
+            for size, width in zip(blocks, widths[axis * len(blocks):]):
+                for _ in range(size):
+                    codes[axis].append(everything >> at & ((1 << width) - 1))
+                    at += width
+        require(len(data) == (at + 7) // 8, "positions of another length")
+        points = []
+        for i in range(count):
+            basis = bases.get(i, [])
+            if len(basis) == 3:
+                a, b, c = (points[p] for p in basis)
+                expected = [a[k] + b[k] - c[k] for k in range(3)]
+            else:
+                expected = points[basis[0]] if basis else points[-1] if points else self.corner
+            place = []
+            for k in range(3):
+                difference = unzigzag(codes[k][i])
+                if shift and coarse[i]:
+                    rounded = signed(expected[k] + (1 << (shift - 1))) >> shift
+                    place.append(signed((rounded + difference) << shift))
+                else:
+                    place.append(signed(expected[k] + difference))
+            points.append(tuple(place))
+        return points
+
+    def place(self, points, is_shared, wedge_points, triangles):
+        order = sorted(range(len(points)), key=lambda i: (1 - is_shared[i], i))
+        place = [0] * len(points)
+        for new, old in enumerate(order):
+            place[old] = new
+        self.points = [points[i] for i in order]
+        self.wedges = None
+        wedge_place = place
+        if wedge_points is not None:
+            wedge_order = sorted(range(len(wedge_points)), key=lambda w: (place[wedge_points[w]], w))
+            wedge_place = [0] * len(wedge_points)
+            for new, old in enumerate(wedge_order):
+                wedge_place[old] = new
+            self.wedges = [place[wedge_points[w]] for w in wedge_order]
+        self.triangles = [tuple(wedge_place[w] for w in t) for t in triangles]
+
+
+def unpack_numbers(packed, tuples, components, size):
+    plane = tuples * components
+    columns = []
+    for c in range(components):
+        before = 0
+        columns.append([])
+        for i in range(tuples):
+            code = sum(packed[byte * plane + c * tuples + i] << (8 * byte) for byte in range(size))
+            before = (before + unzigzag(code, 8 * size)) & ((1 << 8 * size) - 1)
+            columns[-1].append(before)
+    return columns
+
+
+def single(x):
+    return struct.unpack("<f", struct.pack("<f", x))[0]
+
+
+def direction(u, v):
+    if u >= 4095 or v >= 4095:
+        return (0.0, 0.0, 0.0)
+    x = single((u - 2047.0) / 2047.0)
+    y = single((v - 2047.0) / 2047.0)
+    z = 1.0 - abs(x) - abs(y)
+    if z < 0.0:
+        x, y = math.copysign(1.0 - abs(y), x), math.copysign(1.0 - abs(x), y)
+    length = math.sqrt(x * x + y * y + z * z)
+    return (x / length, y / length, z / length)
+
+
+def read_column(array, arc, codec, data):
+    tuples = arc[2] if array.association else arc[4]
+    if codec == 0:
+        require(len(data) == tuples * array.tuple_size, "a column of another length")
+        return data
+    if array.role == 2:
+        u, v = unpack_numbers(decompress(codec, data, 4 * tuples), tuples, 2, 2)
+        return b"".join(struct.pack("<3f", *direction(a, b)) for a, b in zip(u, v))
+    size = array.tuple_size // array.components
+    columns = unpack_numbers(decompress(codec, data, tuples * array.tuple_size), tuples, array.components, size)
+    return b"".join(x.to_bytes(size, "little") for values in zip(*columns) for x in values)
+
+
+def flatten(tuples):
+    return [x for t in tuples for x in t]
+
+
+def dump(model, out):
+    for i, arc in enumerate(model.arcs):
+        first = i * (1 + len(model.arrays))
+        patch = Patch(arc, *model.section(first))
+        table = patch.wedges or []
+        out.write(struct.pack("<4I", len(patch.points), len(patch.ids), len(table), len(patch.triangles)))
+        out.write(struct.pack(f"<{3 * len(patch.points)}i", *flatten(patch.points)))
+        out.write(struct.pack(f"<{len(patch.ids)}Q{len(table)}I", *patch.ids, *table))
+        out.write(struct.pack(f"<{3 * len(patch.triangles)}I", *flatten(patch.triangles)))
+        for j, array in enumerate(model.arrays):
+            out.write(read_column(array, arc, *model.section(first + 1 + j)))
+    for i in range(len(model.blobs)):
+        out.write(model.section(len(model.arcs) * (1 + len(model.arrays)) + i)[1])
+
+
+def main():
+    require(len(sys.argv) == 3, "usage: read_model.py MODEL.bmt DUMP")
+    with open(sys.argv[1], "rb") as file:
+        model = Model(file.read())
+    with open(sys.argv[2], "wb") as out:
+        dump(model, out)
+    print(f"{len(model.arcs)} patches, {len(model.arrays)} arrays, {len(model.blobs)} blobs read")
+
+
+if __name__ == "__main__":
+    main()
