@@ -9,15 +9,9 @@
 
 namespace
 {
-using Triple = std::array<std::uint32_t, 3>; // coordinates modulo 2^32
 using vtkMTNumberCode::FromZigzag;
 using vtkMTNumberCode::ToZigzag;
 using vtkMTTriangleCodec::None;
-
-Triple ToTriple(const vtkMTPoint& p)
-{
-  return { static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]), static_cast<std::uint32_t>(p[2]) };
-}
 
 // Rounded to a multiple of 2^shift and counted in these, as signed numbers are shifted.
 std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
@@ -25,23 +19,28 @@ std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(x + (1u << (shift - 1))) >> shift);
 }
 
-// Where point i is expected; all points before it are known.
-Triple Expect(const std::vector<vtkMTPoint>& points, const vtkMTPositionCodec::Bases& bases, std::size_t i,
-  const vtkMTPoint& corner)
+// Three known points; the next one is expected at A + B - C.
+struct Expectation
 {
-  if (i >= bases.size() || bases[i].A == None)
+  const vtkMTPoint* A;
+  const vtkMTPoint* B;
+  const vtkMTPoint* C;
+
+  Expectation(const std::vector<vtkMTPoint>& points, const vtkMTPositionCodec::Bases& bases, std::size_t i,
+    const vtkMTPoint& corner)
   {
-    return ToTriple(i > 0 ? points[i - 1] : corner);
+    const bool isBased = i < bases.size() && bases[i].A != None;
+    this->A = isBased ? &points[bases[i].A] : (i > 0 ? &points[i - 1] : &corner);
+    const bool hasThree = isBased && bases[i].C != None;
+    this->B = hasThree ? &points[bases[i].B] : this->A;
+    this->C = hasThree ? &points[bases[i].C] : this->A;
   }
-  const Triple a = ToTriple(points[bases[i].A]);
-  if (bases[i].C == None)
+  std::uint32_t Get(std::size_t axis) const
   {
-    return a;
+    return static_cast<std::uint32_t>((*this->A)[axis]) + static_cast<std::uint32_t>((*this->B)[axis]) -
+      static_cast<std::uint32_t>((*this->C)[axis]);
   }
-  const Triple b = ToTriple(points[bases[i].B]);
-  const Triple c = ToTriple(points[bases[i].C]);
-  return { a[0] + b[0] - c[0], a[1] + b[1] - c[1], a[2] + b[2] - c[2] };
-}
+};
 
 // How many low bits are zero in all three coordinates.
 unsigned CountZeros(const vtkMTPoint& p)
@@ -175,7 +174,7 @@ Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const v
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Triple expected = Expect(points, bases, i, corner);
+    const Expectation expected(points, bases, i, corner);
     const bool isCoarse = packed.Shift > 0 && CountZeros(points[i]) >= packed.Shift;
     if (isCoarse)
     {
@@ -185,8 +184,8 @@ Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const v
     {
       const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
       codes[axis][i] = ToZigzag(isCoarse
-          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
-          : x - expected[axis]);
+          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected.Get(axis), packed.Shift)
+          : x - expected.Get(axis));
     }
   }
   BitWriter writer(packed.Bits);
@@ -226,13 +225,14 @@ bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, 
     { reader.Get(codes.data() + static_cast<std::size_t>(axis) * stride + begin, count, source.Widths[block]); });
   for (std::size_t i = 0; i < stride; ++i)
   {
-    const Triple expected = Expect(points, bases, i, corner);
+    const Expectation expected(points, bases, i, corner);
     const bool isCoarse = source.Shift > 0 && GetBit(source.Coarse, i);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::uint32_t difference = FromZigzag(codes[axis * stride + i]);
-      points[i][axis] = static_cast<std::int32_t>(
-        isCoarse ? (Coarsen(expected[axis], source.Shift) + difference) << source.Shift : expected[axis] + difference);
+      points[i][axis] =
+        static_cast<std::int32_t>(isCoarse ? (Coarsen(expected.Get(axis), source.Shift) + difference) << source.Shift
+                                           : expected.Get(axis) + difference);
     }
   }
   return true;

@@ -4,7 +4,7 @@
 #include "vtkMTNumberCode.h"
 
 #include <algorithm>
-#include <cstring>
+#include <memory>
 #include <numeric>
 
 namespace
@@ -47,19 +47,18 @@ public:
   };
 
   Front(std::size_t triangles, std::size_t vertices)
-    : GateFrom(vertices, None)
+    : Gates(new Gate[3 * triangles]) // a triangle makes three at most
+    , Stack(new std::uint32_t[3 * triangles])
+    , GateFrom(vertices, None)
   {
-    this->Gates.reserve(2 * triangles + 16);
-    this->Stack.reserve(triangles + 16);
   }
 
   // The latest open gate; None when there is none.
   std::uint32_t Pop()
   {
-    while (!this->Stack.empty())
+    while (this->StackSize > 0)
     {
-      const std::uint32_t gate = this->Stack.back();
-      this->Stack.pop_back();
+      const std::uint32_t gate = this->Stack[--this->StackSize];
       if (this->IsOpen(gate))
       {
         return gate;
@@ -75,39 +74,48 @@ public:
 
   void Start(const vtkMTTriangle& t)
   {
-    const auto first = static_cast<std::uint32_t>(this->Gates.size());
+    const std::uint32_t first = this->Count;
     for (std::uint32_t c = 0; c < 3; ++c)
     {
-      this->Gates.push_back({ t[c], t[(c + 1) % 3], t[(c + 2) % 3], first + (c + 2) % 3, first + (c + 1) % 3, Open });
-      this->GateFrom[t[c]] = first + c;
+      const std::uint32_t gate = this->Add(t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+      this->Gates[gate].Previous = first + (c + 2) % 3;
+      this->Gates[gate].Next = first + (c + 1) % 3;
     }
-    this->Stack.insert(this->Stack.end(), { first + 2, first + 1, first });
+    this->Push(first + 2);
+    this->Push(first + 1);
+    this->Push(first);
   }
 
   void MakeBorder(std::uint32_t gate) { this->Gates[gate].State = Border; }
 
-  // The gate gives way to two that go by the third vertex. Where that vertex is on the front already, the loop is cut
-  // in two there, or two loops become one.
+  // The gate gives way to two that go by the third vertex.
   void Split(std::uint32_t gate, std::uint32_t vertex)
   {
-    const Gate g = this->Gates[gate];
-    const std::uint32_t there = this->GateFrom[vertex];
-    const bool isOnFront = there != None && there != gate && this->Gates[there].State != Gone;
-    const std::uint32_t left = this->Add(g.From, vertex, g.To);
-    const std::uint32_t right = this->Add(vertex, g.To, g.From);
-    const std::uint32_t before = g.Previous == gate ? right : g.Previous;
-    const std::uint32_t after = g.Next == gate ? left : g.Next;
-    this->Link(before, left);
+    const std::uint32_t from = this->Gates[gate].From;
+    const std::uint32_t to = this->Gates[gate].To;
+    const std::uint32_t previous = this->Gates[gate].Previous;
+    const std::uint32_t next = this->Gates[gate].Next;
+    const std::uint32_t left = this->Add(from, vertex, to);
+    const std::uint32_t right = this->Add(vertex, to, from);
+    this->Link(previous == gate ? right : previous, left);
     this->Link(left, right);
-    this->Link(right, after);
+    this->Link(right, next == gate ? left : next);
     this->Gates[gate].State = Gone;
-    if (isOnFront)
+    this->Push(left);
+    this->Push(right);
+  }
+
+  // The same where that vertex is on the front already: the loop is cut in two there, or two loops become one.
+  void SplitAt(std::uint32_t gate, std::uint32_t vertex)
+  {
+    const std::uint32_t there = this->GateFrom[vertex];
+    this->Split(gate, vertex);
+    if (there != None && this->Gates[there].State != Gone)
     {
-      const std::uint32_t arriving = this->Gates[there].Previous;
-      this->Link(arriving, right);
-      this->Link(left, there);
+      const std::uint32_t right = this->Count - 1;
+      this->Link(this->Gates[there].Previous, right);
+      this->Link(right - 1, there);
     }
-    this->Stack.insert(this->Stack.end(), { left, right });
   }
 
   // The gate and the next one give way to one.
@@ -134,10 +142,15 @@ public:
   }
 
 private:
+  void Push(std::uint32_t gate) { this->Stack[this->StackSize++] = gate; }
+  // Field by field: a gate that was copied as a whole could not be read again before the copy is through.
   std::uint32_t Add(std::uint32_t from, std::uint32_t to, std::uint32_t across)
   {
-    const auto gate = static_cast<std::uint32_t>(this->Gates.size());
-    this->Gates.push_back({ from, to, across, gate, gate, Open });
+    const std::uint32_t gate = this->Count++;
+    this->Gates[gate].From = from;
+    this->Gates[gate].To = to;
+    this->Gates[gate].Across = across;
+    this->Gates[gate].State = Open;
     this->GateFrom[from] = gate;
     return gate;
   }
@@ -154,11 +167,13 @@ private:
     this->Link(before == second ? joined : before, joined);
     this->Link(joined, after == first ? joined : after);
     this->Gates[first].State = this->Gates[second].State = Gone;
-    this->Stack.push_back(joined);
+    this->Push(joined);
   }
 
-  std::vector<Gate> Gates;
-  std::vector<std::uint32_t> Stack;
+  std::unique_ptr<Gate[]> Gates;
+  std::unique_ptr<std::uint32_t[]> Stack;
+  std::uint32_t Count = 0;
+  std::size_t StackSize = 0;
   std::vector<std::uint32_t> GateFrom; // the latest that leaves a vertex
 };
 
@@ -404,7 +419,7 @@ private:
         return this->Growing.JoinBoth(gate);
       default:
         this->Name(third);
-        this->Growing.Split(gate, third);
+        this->Growing.SplitAt(gate, third);
     }
   }
 
@@ -424,7 +439,6 @@ public:
     std::vector<Basis>& bases)
     : Steps(steps)
     , Names(names)
-    , Vertices(vertices)
     , Bases(bases)
     , Growing(triangles, vertices)
   {
@@ -440,37 +454,45 @@ public:
         return false;
       }
     }
+    this->Bases.resize(this->Met);
     return this->Steps.IsAtEnd() && this->Names.IsAtEnd();
   }
 
 private:
-  bool Meet(const Basis& basis)
+  bool Meet(std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
-    this->Bases.push_back(basis);
-    return this->Bases.size() <= this->Vertices;
-  }
-
-  bool Name(const Basis& basis, std::uint32_t& vertex)
-  {
-    std::uint64_t back = 0;
-    if (!this->Names.Get(back) || back > this->Bases.size())
+    if (this->Met == this->Bases.size())
     {
       return false;
     }
-    vertex = static_cast<std::uint32_t>(this->Bases.size() - back);
-    return back > 0 || this->Meet(basis);
+    Basis& basis = this->Bases[this->Met++];
+    basis.A = a;
+    basis.B = b;
+    basis.C = c;
+    return true;
+  }
+
+  bool Name(std::uint32_t before, std::uint32_t& vertex)
+  {
+    std::uint64_t back = 0;
+    if (!this->Names.Get(back) || back > this->Met)
+    {
+      return false;
+    }
+    vertex = this->Met - static_cast<std::uint32_t>(back);
+    return back > 0 || this->Meet(before, None, None);
   }
 
   bool Start(vtkMTTriangle& t)
   {
-    Basis basis;
+    std::uint32_t before = None;
     for (std::uint32_t& vertex : t)
     {
-      if (!this->Name(basis, vertex))
+      if (!this->Name(before, vertex))
       {
         return false;
       }
-      basis.A = vertex;
+      before = vertex;
     }
     this->Growing.Start(t);
     return true;
@@ -478,7 +500,9 @@ private:
 
   bool Cross(std::uint32_t gate, std::vector<vtkMTTriangle>& triangles, std::size_t& t)
   {
-    const Front::Gate g = this->Growing.Get(gate);
+    const std::uint32_t from = this->Growing.Get(gate).From;
+    const std::uint32_t to = this->Growing.Get(gate).To;
+    const std::uint32_t across = this->Growing.Get(gate).Across;
     const unsigned step = this->Steps.Get();
     if (step == Nothing)
     {
@@ -486,10 +510,10 @@ private:
       return true;
     }
     vtkMTTriangle& triangle = triangles[t++];
-    triangle = { g.To, g.From, static_cast<std::uint32_t>(this->Bases.size()) };
+    triangle = { to, from, this->Met };
     if (step == New)
     {
-      if (!this->Meet({ g.From, g.To, g.Across }))
+      if (!this->Meet(from, to, across))
       {
         return false;
       }
@@ -499,12 +523,12 @@ private:
     if (step == Named)
     {
       std::uint64_t back = 0;
-      if (!this->Names.Get(back) || back == 0 || back > this->Bases.size())
+      if (!this->Names.Get(back) || back == 0 || back > this->Met)
       {
         return false;
       }
       triangle[2] -= static_cast<std::uint32_t>(back);
-      this->Growing.Split(gate, triangle[2]);
+      this->Growing.SplitAt(gate, triangle[2]);
       return true;
     }
     return step < NumberOfSteps && MayJoin(this->Growing, gate, step) && this->Join(gate, step, triangle[2]);
@@ -530,8 +554,8 @@ private:
 
   StepReader Steps;
   vtkMTNumberCode::Reader Names;
-  const std::size_t Vertices;
-  std::vector<Basis>& Bases;
+  std::vector<Basis>& Bases; // one for every vertex that there may be
+  std::uint32_t Met = 0;
   Front Growing;
 };
 }
@@ -546,8 +570,7 @@ Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
 bool Decode(const unsigned char* steps, std::size_t stepsSize, const unsigned char* names, std::size_t namesSize,
   std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases)
 {
-  bases.clear();
-  bases.reserve(vertices);
+  bases.assign(vertices, Basis());
   return Decoder(
     StepReader(steps, stepsSize), vtkMTNumberCode::Reader(names, namesSize), triangles.size(), vertices, bases)
     .Run(triangles);
