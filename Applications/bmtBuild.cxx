@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bmtCommon.h"
+#include "bmtInput.h"
 #include "bmtModel.h"
 
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTFileSink.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTPolyDataStream.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulationBuilder.h"
@@ -25,7 +25,7 @@ namespace
 {
 struct Options
 {
-  std::vector<std::string> Inputs;
+  bmtInput Input;
   std::string Output;
   std::string Partition = "v";
   std::string Simplifier = "fast";
@@ -33,6 +33,7 @@ struct Options
   int LatticeBits = 24;
   int Threads = 0;
   bool NoNormals = false;
+  bool KeepFarOutliers = false;
 };
 
 void Advance(vtkObject* caller, unsigned long, void* client, void* fraction)
@@ -61,6 +62,7 @@ void Configure(const Options& options, vtkMultiTriangulationBuilder* builder)
   builder->SetLatticeBits(options.LatticeBits);
   builder->SetNumberOfThreads(options.Threads);
   builder->SetMakeNormals(!options.NoNormals);
+  builder->SetKeepFarOutliers(options.KeepFarOutliers);
 }
 
 void RunBuilder(const Options& options, vtkMTTriangleStream& stream, vtkMTFileSink& sink)
@@ -85,9 +87,9 @@ bmtJson Build(const Options& options)
   const double wall = bmtWallSeconds();
   const double cpu = bmtCpuSeconds();
   vtkNew<vtkPolyData> mesh;
-  const std::int64_t arraysLeftOut = bmtReadMeshes(options.Inputs, mesh);
+  const bmtInputReport report = bmtReadInput(options.Input, mesh);
   const double reading = bmtWallSeconds() - wall;
-  vtkMTPolyDataStream stream(mesh);
+  bmtInputStream stream(mesh, report.Counts);
   vtkMTFileSink sink(options.Output);
   RunBuilder(options, stream, sink);
 
@@ -96,14 +98,17 @@ bmtJson Build(const Options& options)
   result["seconds"] = bmtWallSeconds() - wall;
   result["cpu_seconds"] = bmtCpuSeconds() - cpu;
   result["reading_seconds"] = reading;
-  result["arrays_not_in_all_inputs"] = arraysLeftOut;
+  if (!report.Parts.empty())
+  {
+    result["parts"] = report.Parts;
+  }
   result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), sink.GetFileSize()));
   return result;
 }
 
 void AddOptions(CLI::App& command, Options& options)
 {
-  command.add_option("INPUT", options.Inputs, "Meshes: PLY, STL, OBJ, VTP, VTK, glTF; several are built as one")
+  command.add_option("INPUT", options.Input.Paths, std::string("What to build from: ") + bmtGetInputKinds())
     ->required();
   command.add_option("-o,--output", options.Output, "The Multi-Triangulation file to write")->required();
   command
@@ -111,6 +116,7 @@ void AddOptions(CLI::App& command, Options& options)
       "--partition", options.Partition, "How regions are placed: v (Voronoi) or regular (cube, face and edge centres)")
     ->check(CLI::IsMember({ "v", "regular" }))
     ->capture_default_str();
+  bmtAddInputOptions(command, options.Input);
   command.add_option("--patch-triangles", options.PatchTriangles, "Wanted mean number of triangles in a patch")
     ->check(CLI::Range(16, 16384))
     ->capture_default_str();
@@ -126,6 +132,8 @@ void AddOptions(CLI::App& command, Options& options)
     .add_option("--threads", options.Threads, "Threads; 0: as many as there are processors. No influence on the file")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
+  command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
+    "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
   command.add_flag("--no-normals", options.NoNormals, "Make no smooth normals where the input has none");
 }
 }
@@ -134,7 +142,13 @@ void bmtAddBuild(CLI::App& app, bmtContext& context)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("build", "Build a Multi-Triangulation file from a mesh");
-  command->footer("The file is written whole or not at all, and is the same byte for byte for any number of threads.");
+  command->footer(
+    "Several inputs become one model with a cell array PartId (0, 1, 2 ... in the order of the command line). Parts "
+    "that\n"
+    "touch stay apart. Arrays of one name, type and number of components become one; where an input lacks it, real\n"
+    "numbers are NaN, whole numbers 0, and normals are made; input_report counts it. All tiles of terrain make one\n"
+    "terrain, in metres about its middle; samples that tiles share are one point, voids are holes.\n"
+    "The file is written whole or not at all, and is the same byte for byte for any number of threads.");
   AddOptions(*command, *options);
   bmtAddCommonOptions(*command, context);
   command->callback(

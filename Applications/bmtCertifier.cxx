@@ -24,6 +24,33 @@ bmtFrame MakeFrame(const vtkMTGraph& graph, const bmtSurface& input)
   return bmtFrame::FromBounds(bounds);
 }
 
+// The builder leaves out what is far outside of everything else, and says how much; what that is shows here by itself.
+bmtSurface LeaveOutFar(const vtkMTGraph& graph, bmtSurface input)
+{
+  const auto found = graph.InputReport.find("dropped_far_outlier");
+  if (found == graph.InputReport.end())
+  {
+    return input;
+  }
+  double box[6];
+  graph.GetBounds(box);
+  const double margin = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+  const auto isFar = [&](const bmtTriangle& triangle)
+  {
+    return std::any_of(triangle.begin(), triangle.end(),
+      [&](std::uint32_t p)
+      {
+        const bmtPoint& x = input.Points[p];
+        return x[0] < box[0] - margin || x[0] > box[1] + margin || x[1] < box[2] - margin || x[1] > box[3] + margin ||
+          x[2] < box[4] - margin || x[2] > box[5] + margin;
+      });
+  };
+  const auto end = std::remove_if(input.Triangles.begin(), input.Triangles.end(), isFar);
+  input.FarOutliers = input.Triangles.end() - end;
+  input.Triangles.erase(end, input.Triangles.end());
+  return input;
+}
+
 // The cut whose patches are those of one level: everything coarser is refined.
 vtkMTCut MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
 {
@@ -59,7 +86,7 @@ std::string Describe(const bmtPoint& x, const std::string& where)
 
 bmtCertifier::bmtCertifier(const vtkMTPatchSource& source, bmtSurface input, std::size_t samples, std::uint64_t seed)
   : Source(source)
-  , Input(std::move(input))
+  , Input(LeaveOutFar(source.GetGraph(), std::move(input)))
   , Frame(MakeFrame(source.GetGraph(), this->Input))
   , Samples(samples)
   , Seed(seed)
@@ -67,6 +94,13 @@ bmtCertifier::bmtCertifier(const vtkMTPatchSource& source, bmtSurface input, std
   , PatchToInput("certified_patch_to_input")
   , InputToCut("certified_input_to_cut")
 {
+  const auto& report = source.GetGraph().InputReport;
+  const auto far = report.find("dropped_far_outlier");
+  if (far != report.end() && far->second != this->Input.FarOutliers)
+  {
+    this->InputToCut.Fail("the model lacks " + std::to_string(far->second) + " far outliers, but " +
+      std::to_string(this->Input.FarOutliers) + " triangles of the input lie far outside of it");
+  }
   this->Input.Transform(this->Frame);
   this->InputSearch = std::make_unique<bmtClosestPoint>(this->Input);
   this->InputPoints = this->Input.GetUsedPoints();
@@ -217,5 +251,6 @@ bmtJson bmtCertifier::GetSkipped() const
   json["not_finite"] = this->Input.NonFinite;
   json["index_out_of_range"] = this->Input.OutOfRange;
   json["degenerate"] = this->Input.Degenerate;
+  json["far_outlier"] = this->Input.FarOutliers;
   return json;
 }

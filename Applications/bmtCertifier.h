@@ -10,7 +10,8 @@
  *
  * Independent of the builder: own sampling, own closest point search, own reading of errors from the graph. Input
  * triangles that are no surface (a corner that is not finite, an index out of range, two corners at one place) are
- * skipped and counted.
+ * skipped and counted. So are those that lie at least one extent outside of a model that says that far outliers are
+ * missing from it; their number must be what the model says.
  */
 #ifndef bmtCertifier_h
 #define bmtCertifier_h

@@ -210,6 +210,11 @@ void bmtPrint(const bmtContext& context, const bmtJson& result)
   {
     PrintLines(std::cout, result, "");
   }
+  bmtFinishOutput();
+}
+
+void bmtFinishOutput()
+{
   std::cout.flush();
   if (!std::cout)
   {

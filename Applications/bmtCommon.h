@@ -92,6 +92,9 @@ void bmtAddCommonOptions(CLI::App& command, bmtContext& context);
 /// The result of a command on standard output: one JSON object, or the same as lines of "name: value".
 void bmtPrint(const bmtContext& context, const bmtJson& result);
 
+/// Flushes standard output; throws bmtError when it could not take everything.
+void bmtFinishOutput();
+
 /// Throws bmtError unless the file can be opened for reading and is no folder.
 void bmtRequireReadable(const std::string& path);
 /// Throws bmtError unless a file can be made in the folder of path; nothing is made or changed.

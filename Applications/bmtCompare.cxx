@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bmtClosestPoint.h"
 #include "bmtCommon.h"
+#include "bmtInput.h"
 #include "bmtSampling.h"
 #include "bmtSurface.h"
 
@@ -16,9 +17,16 @@ struct Options
 {
   std::string A;
   std::string B;
+  bmtInput Input; // what holds for both
   std::uint64_t Samples = 1000000;
   std::uint64_t Seed = 1;
 };
+
+bmtSurface ReadSurface(const std::string& path, bmtInput input)
+{
+  input.Paths = { path };
+  return bmtReadSurface(input);
+}
 
 struct OneSided
 {
@@ -78,8 +86,8 @@ OneSided MeasureOneSided(const bmtSurface& from, const bmtSurface& target, const
 
 bmtJson Compare(const Options& options)
 {
-  bmtSurface a = bmtReadSurface({ options.A });
-  bmtSurface b = bmtReadSurface({ options.B });
+  bmtSurface a = ReadSurface(options.A, options.Input);
+  bmtSurface b = ReadSurface(options.B, options.Input);
   bmtBounds bounds = a.GetBounds();
   bounds.Add(b.GetBounds());
   const bmtFrame frame = bmtFrame::FromBounds(bounds);
@@ -114,13 +122,14 @@ void bmtAddCompare(CLI::App& app, bmtContext& context)
     "Distances go from area-weighted samples and from all vertices of one surface to the closest point of the other,\n"
     "in model units. max is over both; rms over the samples alone, both directions weighing the same.\n"
     "A and B may also be .bmt files; then their finest level is meant.");
-  command->add_option("A", options->A, "A mesh: PLY, STL, OBJ, VTP, VTK, glTF")->required();
+  command->add_option("A", options->A, std::string("A mesh: ") + bmtGetInputKinds())->required();
   command->add_option("B", options->B, "Another mesh")->required();
   command->add_option("--samples", options->Samples, "Samples on each surface")
     ->check(CLI::Range(std::uint64_t(1), std::uint64_t(1000000000)))
     ->capture_default_str();
   command->add_option("--seed", options->Seed, "Seed of the samples; the same seed gives the same figures")
     ->capture_default_str();
+  bmtAddInputOptions(*command, options->Input);
   bmtAddCommonOptions(*command, context);
   command->callback(
     [options, &context]

@@ -86,11 +86,12 @@ bmtJson Extract(const Options& options)
     throw bmtError(error);
   }
   bmtThrowIfInterrupted();
-  bmtWriteMesh(options.Output, mesh);
+  const std::vector<std::string> dropped = bmtWriteMesh(options.Output, mesh);
   bmtJson result;
   result["output"] = options.Output;
   result.update(DescribeCut(source->GetGraph(), cut));
   result["points"] = mesh->GetNumberOfPoints();
+  result["dropped_arrays"] = dropped;
   result["seconds"] = bmtWallSeconds() - start;
   return result;
 }
@@ -102,9 +103,12 @@ void bmtAddExtract(CLI::App& app, bmtContext& context)
   CLI::App* command = app.add_subcommand("extract", "Write one cut as a conforming, welded mesh");
   command->footer(
     "A point appears more than once only where its attribute values differ (wedges). Where N is 50 mean patches or\n"
-    "more, at least 90 % of N are used; N below the coarsest cut is an error.");
+    "more, at least 90 % of N are used; N below the coarsest cut is an error. dropped_arrays names the arrays that "
+    "the\n"
+    "format has no form for.");
   bmtAddModelArgument(*command, options->File);
-  command->add_option("-o,--output", options->Output, "The mesh to write: .ply, .stl, .obj or .vtp")->required();
+  command->add_option("-o,--output", options->Output, "The mesh to write: .ply, .stl, .obj, .vtp, .gltf or .glb")
+    ->required();
   CLI::Option_group* which = command->add_option_group("which cut", "Exactly one of these");
   options->HasTriangles =
     which->add_option("--triangles", options->Triangles, "The most precise cut of at most N triangles");

@@ -4,15 +4,9 @@
 #include "vtkMTCut.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTGraph.h"
-#include "vtkMTMeshReader.h"
 #include "vtkMTMeshWriter.h"
-#include "vtkMultiTriangulation.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkCellData.h"
 #include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
@@ -150,73 +144,21 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
 //------------------------------------------------------------------------------
 // Meshes
 
-namespace
-{
-void ReadMesh(const std::string& path, vtkPolyData* mesh)
-{
-  bmtRequireReadable(path);
-  std::string error;
-  if (bmtIsModel(path))
-  {
-    const std::shared_ptr<const vtkMTPatchSource> source = bmtOpenModel(path);
-    vtkMTCut cut(source->GetGraph());
-    for (std::uint32_t node = 0; node < source->GetGraph().GetSink(); ++node)
-    {
-      cut.RefineWithDependencies(node);
-    }
-    if (!vtkMultiTriangulation::CutToPolyData(*source, cut, mesh, error))
-    {
-      throw bmtError(error);
-    }
-  }
-  else if (!vtkMTMeshReader::Read(path, mesh, error))
-  {
-    throw bmtError(error);
-  }
-  bmtThrowIfInterrupted();
-}
-
-std::int64_t CountArrays(vtkPolyData* mesh)
-{
-  return mesh->GetPointData()->GetNumberOfArrays() + mesh->GetCellData()->GetNumberOfArrays();
-}
-}
-
-std::int64_t bmtReadMeshes(const std::vector<std::string>& paths, vtkPolyData* mesh)
-{
-  if (paths.size() == 1)
-  {
-    ReadMesh(paths.front(), mesh);
-    return 0;
-  }
-  vtkNew<vtkAppendPolyData> append;
-  std::int64_t most = 0;
-  for (const std::string& path : paths)
-  {
-    vtkNew<vtkPolyData> part;
-    ReadMesh(path, part);
-    most = std::max(most, CountArrays(part));
-    append->AddInputData(part);
-  }
-  append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  append->Update();
-  mesh->ShallowCopy(append->GetOutput());
-  return most - CountArrays(mesh);
-}
-
 void bmtRequireMeshEnding(const std::string& path)
 {
   if (!vtkMTMeshWriter::CanWrite(path))
   {
-    throw bmtError(path + ": unknown ending; .ply, .stl, .obj and .vtp can be written");
+    throw bmtError(path + ": unknown ending; .ply, .stl, .obj, .vtp, .gltf and .glb can be written");
   }
 }
 
-void bmtWriteMesh(const std::string& path, vtkPolyData* mesh)
+std::vector<std::string> bmtWriteMesh(const std::string& path, vtkPolyData* mesh)
 {
   std::string error;
-  if (!vtkMTMeshWriter::Write(path, mesh, error))
+  std::vector<std::string> dropped;
+  if (!vtkMTMeshWriter::Write(path, mesh, error, &dropped))
   {
     throw bmtError(error);
   }
+  return dropped;
 }

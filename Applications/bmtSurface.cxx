@@ -2,7 +2,7 @@
 #include "bmtSurface.h"
 
 #include "bmtCommon.h"
-#include "bmtModel.h"
+#include "bmtInput.h"
 
 #include "vtkMTPolyDataStream.h"
 #include "vtkNew.h"
@@ -169,7 +169,9 @@ void AddTriangle(bmtSurface& surface, const std::array<std::uint64_t, 3>& triang
     static_cast<std::uint32_t>(triangle[2]) });
 }
 
-bmtSurface FromStream(vtkMTTriangleStream& stream, const std::string& path)
+}
+
+bmtSurface bmtMakeSurface(vtkMTTriangleStream& stream, const std::string& path)
 {
   bmtSurface surface;
   constexpr std::uint64_t limit = 0xfffffffe;
@@ -200,14 +202,14 @@ bmtSurface FromStream(vtkMTTriangleStream& stream, const std::string& path)
   }
   return surface;
 }
-}
 
-bmtSurface bmtReadSurface(const std::vector<std::string>& paths)
+bmtSurface bmtReadSurface(const bmtInput& input)
 {
+  const std::vector<std::string>& paths = input.Paths;
   vtkNew<vtkPolyData> mesh;
-  bmtReadMeshes(paths, mesh);
+  bmtReadInput(input, mesh);
   vtkMTPolyDataStream stream(mesh);
-  bmtSurface surface = FromStream(stream, paths.front());
+  bmtSurface surface = bmtMakeSurface(stream, paths.front());
   if (surface.Triangles.empty())
   {
     throw bmtError(paths.front() + ": has no triangle with three finite, different corners; name a mesh that has some");

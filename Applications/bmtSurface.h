@@ -55,9 +55,10 @@ struct bmtSurface
 {
   std::vector<bmtPoint> Points;
   std::vector<bmtTriangle> Triangles;
-  std::int64_t NonFinite = 0;  ///< triangles left out because a corner is NaN or infinite
-  std::int64_t OutOfRange = 0; ///< triangles left out because an index is
-  std::int64_t Degenerate = 0; ///< triangles left out because two corners are at one place: no surface
+  std::int64_t NonFinite = 0;   ///< triangles left out because a corner is NaN or infinite
+  std::int64_t OutOfRange = 0;  ///< triangles left out because an index is
+  std::int64_t FarOutliers = 0; ///< triangles left out because the model says that it lacks what is so far away
+  std::int64_t Degenerate = 0;  ///< triangles left out because two corners are at one place: no surface
 
   bmtBounds GetBounds() const;
   void Transform(const bmtFrame& frame);
@@ -66,7 +67,13 @@ struct bmtSurface
   double GetArea(std::size_t triangle) const;
 };
 
-/// Reads one mesh, or several as one; of a Multi-Triangulation file the finest level. Throws bmtError.
-bmtSurface bmtReadSurface(const std::vector<std::string>& paths);
+struct bmtInput;
+class vtkMTTriangleStream;
+
+/// The stream's triangles, without those that are no surface; name is for messages. Throws bmtError.
+bmtSurface bmtMakeSurface(vtkMTTriangleStream& stream, const std::string& name);
+
+/// Reads what the command line names, as one surface. Throws bmtError.
+bmtSurface bmtReadSurface(const bmtInput& input);
 
 #endif

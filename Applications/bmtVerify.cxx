@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bmtCertifier.h"
 #include "bmtCommon.h"
+#include "bmtInput.h"
 #include "bmtModel.h"
 #include "bmtStructure.h"
 
@@ -19,7 +20,7 @@ namespace
 struct Options
 {
   std::string File;
-  std::vector<std::string> Input;
+  bmtInput Input;
   std::size_t Cuts = 100;
   std::uint32_t Seed = 1;
   std::size_t Samples = 500000;
@@ -91,7 +92,7 @@ bmtJson Verify(const Options& options)
       vtkMTValidate::Borders borders;
       checks.push_back(bmtCheckPasting(*source, borders));
       checks.push_back(bmtCheckConformity(*source, borders, options.Cuts, options.Seed, result["spans"]));
-      if (!options.Input.empty())
+      if (!options.Input.Paths.empty())
       {
         CertifyErrors(*source, options, checks, result);
       }
@@ -136,8 +137,10 @@ void bmtAddVerify(CLI::App& app, bmtContext& context)
                   "Exit code 0 only when every check passed.");
   command->add_option("FILE", options->File, "A Multi-Triangulation file (.bmt)")->required();
   command
-    ->add_option("--input", options->Input, "The mesh that the file was built from; repeated where there were several")
+    ->add_option("--input", options->Input.Paths,
+      "What the file was built from; repeated where there were several, in the same order and with the same options")
     ->allow_extra_args(false);
+  bmtAddInputOptions(*command, options->Input);
   command->add_option("--cuts", options->Cuts, "Random cuts to check; at least half of them span three levels or more")
     ->check(CLI::Range(std::size_t(0), std::size_t(100000000)))
     ->capture_default_str();

@@ -2,6 +2,7 @@
 #include "vtkMTMeshWriter.h"
 
 #include "vtkMTErrorCollector.h"
+#include "vtkMTGltfWriter.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPlyWriter.h"
 #include "vtkMTPolyDataStream.h"
@@ -15,10 +16,12 @@
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <iterator>
 #include <limits>
 
 namespace
@@ -297,6 +300,25 @@ bool PutObj(vtkMTTriangleStream& mesh, vtkMTOutputFile& file, std::string& error
     vtkMTStreamWalk::ForEachTriangleBlock(mesh, error, putTriangles);
 }
 
+// The arrays that the format has no form for.
+std::vector<std::string> FindDropped(const std::vector<vtkMTArrayInfo>& arrays, const std::string& ending)
+{
+  std::vector<std::string> dropped;
+  const ObjColumns kept(arrays);
+  int column = 0;
+  for (const vtkMTArrayInfo& array : arrays)
+  {
+    const bool isPoint = array.Association == vtkMTArrayInfo::Point;
+    const bool isInObj = isPoint && (column == kept.Normals || column == kept.TCoords);
+    if (ending == "stl" || (ending == "obj" && !isInObj))
+    {
+      dropped.push_back((isPoint ? "point " : "cell ") + array.Name);
+    }
+    column += isPoint ? 1 : 0;
+  }
+  return dropped;
+}
+
 //------------------------------------------------------------------------------
 bool WriteVtp(const std::string& path, vtkPolyData* mesh, std::string& error)
 {
@@ -323,11 +345,17 @@ bool WriteVtp(const std::string& path, vtkPolyData* mesh, std::string& error)
 bool vtkMTMeshWriter::CanWrite(const std::string& path)
 {
   const std::string ending = vtkMTTextFormat::GetLowerCaseEnding(path);
-  return ending == "ply" || ending == "stl" || ending == "obj" || ending == "vtp";
+  static const char* const known[] = { "ply", "stl", "obj", "vtp", "gltf", "glb" };
+  return std::find(std::begin(known), std::end(known), ending) != std::end(known);
 }
 
-bool vtkMTMeshWriter::Write(const std::string& path, vtkPolyData* mesh, std::string& error)
+bool vtkMTMeshWriter::Write(
+  const std::string& path, vtkPolyData* mesh, std::string& error, std::vector<std::string>* dropped)
 {
+  if (dropped)
+  {
+    dropped->clear();
+  }
   const std::string ending = vtkMTTextFormat::GetLowerCaseEnding(path);
   if (ending == "vtp")
   {
@@ -335,10 +363,18 @@ bool vtkMTMeshWriter::Write(const std::string& path, vtkPolyData* mesh, std::str
   }
   if (!CanWrite(path))
   {
-    error = path + ": the name must end in .ply, .stl, .obj or .vtp";
+    error = path + ": the name must end in .ply, .stl, .obj, .vtp, .gltf or .glb";
     return false;
   }
   vtkMTPolyDataStream stream(mesh);
+  if (ending == "gltf" || ending == "glb")
+  {
+    return WriteGltf(stream, path, ending == "glb", error, dropped);
+  }
+  if (dropped)
+  {
+    *dropped = FindDropped(stream.GetArrays(), ending);
+  }
   return ending == "ply" ? WritePly(stream, path, error)
     : ending == "stl"    ? WriteStl(stream, path, error)
                          : WriteObj(stream, path, error);
@@ -366,4 +402,16 @@ bool vtkMTMeshWriter::WriteObj(vtkMTTriangleStream& mesh, const std::string& pat
 {
   return Publish(
     path, error, [&mesh](vtkMTOutputFile& file, std::string& reason) { return PutObj(mesh, file, reason); });
+}
+
+bool vtkMTMeshWriter::WriteGltf(vtkMTTriangleStream& mesh, const std::string& path, bool binary, std::string& error,
+  std::vector<std::string>* dropped)
+{
+  vtkMTGltfWriter writer(mesh, binary);
+  if (dropped)
+  {
+    *dropped = writer.GetDropped();
+  }
+  return Publish(
+    path, error, [&writer](vtkMTOutputFile& file, std::string& reason) { return writer.Write(file, reason); });
 }

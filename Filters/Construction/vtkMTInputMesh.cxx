@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputMesh.h"
 
+#include "vtkMTFarOutliers.h"
 #include "vtkMTOrientation.h"
 #include "vtkMTPointNormals.h"
 #include "vtkMTStitch.h"
@@ -52,12 +53,54 @@ public:
     return true;
   }
 
+  // Takes these triangles, in ascending order, out again.
+  void RemoveTriangles(const std::vector<std::uint32_t>& which)
+  {
+    for (std::size_t i = 0; i < this->CellColumns.size(); ++i)
+    {
+      RemoveTuples(this->CellColumns[i], this->CellTupleSizes[i], which);
+    }
+    auto next = which.begin();
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      if (next != which.end() && *next == t)
+      {
+        ++next;
+      }
+      else
+      {
+        this->Triangles[kept++] = this->Triangles[t];
+      }
+    }
+    this->Triangles.resize(kept);
+  }
+
   std::vector<WorldPoint> Points;
   std::vector<vtkMTColumn> PointColumns;
   std::vector<Indices> Triangles;
   std::vector<vtkMTColumn> CellColumns; // the last one holds the input cell ids
 
 private:
+  static void RemoveTuples(vtkMTColumn& column, std::size_t size, const std::vector<std::uint32_t>& which)
+  {
+    auto next = which.begin();
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t * size < column.size(); ++t)
+    {
+      if (next != which.end() && *next == t)
+      {
+        ++next;
+      }
+      else
+      {
+        std::copy_n(column.begin() + static_cast<std::ptrdiff_t>(t * size), size,
+          column.begin() + static_cast<std::ptrdiff_t>(kept++ * size));
+      }
+    }
+    column.resize(kept * size);
+  }
+
   void SetUpColumns()
   {
     for (const vtkMTArrayInfo& info : this->Stream.GetArrays())
@@ -358,6 +401,42 @@ void AddNormals(vtkMTInputMesh& result)
   result.Arrays.push_back(info);
 }
 
+bool LeaveOutFarOutliers(Loader& input, int latticeBits, vtkMTInputMesh& result, std::string& error)
+{
+  const vtkMTFarOutliers outliers = vtkMTFarOutliers::Find(input.Points, input.Triangles, latticeBits);
+  if (outliers.IsRefused)
+  {
+    error = outliers.Message;
+    return false;
+  }
+  input.RemoveTriangles(outliers.Triangles);
+  result.Warning = outliers.Message;
+  Count(result.Report, "dropped_far_outlier", static_cast<std::int64_t>(outliers.Triangles.size()));
+  return true;
+}
+
+// The part of each triangle; empty where there is only one.
+std::vector<std::int32_t> GetParts(
+  const std::vector<vtkMTArrayInfo>& arrays, const std::vector<vtkMTColumn>& cellColumns)
+{
+  std::size_t column = 0;
+  for (const vtkMTArrayInfo& info : arrays)
+  {
+    if (info.Association != vtkMTArrayInfo::Cell)
+    {
+      continue;
+    }
+    if (info.Name == "PartId" && info.Type == VTK_INT && info.Components == 1)
+    {
+      std::vector<std::int32_t> parts(cellColumns[column].size() / sizeof(std::int32_t));
+      std::memcpy(parts.data(), cellColumns[column].data(), parts.size() * sizeof(parts[0]));
+      return parts;
+    }
+    ++column;
+  }
+  return {};
+}
+
 vtkMTArrayInfo MakeCellIdInfo()
 {
   vtkMTArrayInfo info;
@@ -370,7 +449,8 @@ vtkMTArrayInfo MakeCellIdInfo()
 }
 }
 
-bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, int latticeBits, bool makeNormals, std::string& error)
+bool vtkMTInputMesh::Read(
+  vtkMTTriangleStream& stream, int latticeBits, bool makeNormals, std::string& error, bool keepFarOutliers)
 {
   *this = vtkMTInputMesh();
   Loader input(stream, *this);
@@ -389,6 +469,10 @@ bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, int latticeBits, bool mak
         " triangles is usable (all are degenerate, not finite, or refer to points that do not exist)";
     return false;
   }
+  if (!keepFarOutliers && !LeaveOutFarOutliers(input, latticeBits, *this, error))
+  {
+    return false;
+  }
   this->Arrays = stream.GetArrays();
   std::vector<std::size_t> pointTupleSizes;
   bool hasNormals = false;
@@ -402,7 +486,7 @@ bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, int latticeBits, bool mak
   }
   this->Arrays.push_back(MakeCellIdInfo());
 
-  const vtkMTStitch stitch = vtkMTStitch::Run(input.Points, input.Triangles);
+  const vtkMTStitch stitch = vtkMTStitch::Run(input.Points, input.Triangles, GetParts(this->Arrays, input.CellColumns));
   const std::vector<std::uint32_t> representatives = WedgeMaker(input, stitch.Root, pointTupleSizes).Run(this->Mesh);
   this->Mesh.CellColumns = std::move(input.CellColumns);
   Snap(input.Points, representatives, latticeBits, *this);

@@ -2,6 +2,7 @@
 #include "vtkMTStitch.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace
@@ -59,9 +60,30 @@ std::vector<DirectedEdge> FindBorderEdges(std::size_t numberOfPoints, const Tria
   return border;
 }
 
-// For every end of an edge a number that is the same for points at the same place.
-std::vector<std::uint32_t> ClassifyPlaces(const Points& points, const std::vector<DirectedEdge>& edges)
+std::vector<std::int32_t> FindPartsOfPoints(
+  std::size_t numberOfPoints, const Triangles& triangles, const std::vector<std::int32_t>& parts)
 {
+  std::vector<std::int32_t> ofPoints(parts.empty() ? 0 : numberOfPoints, std::numeric_limits<std::int32_t>::max());
+  for (std::size_t t = 0; t < parts.size(); ++t)
+  {
+    for (std::uint32_t p : triangles[t])
+    {
+      ofPoints[p] = std::min(ofPoints[p], parts[t]);
+    }
+  }
+  return ofPoints;
+}
+
+// For every end of an edge a number that is the same for points of one part at the same place.
+std::vector<std::uint32_t> ClassifyPlaces(
+  const Points& points, const std::vector<DirectedEdge>& edges, const std::vector<std::int32_t>& parts)
+{
+  const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
+  {
+    const std::int32_t partOfA = parts.empty() ? 0 : parts[a];
+    const std::int32_t partOfB = parts.empty() ? 0 : parts[b];
+    return partOfA != partOfB ? partOfA < partOfB : points[a] < points[b];
+  };
   std::vector<std::uint32_t> ends;
   ends.reserve(2 * edges.size());
   for (const DirectedEdge& e : edges)
@@ -72,11 +94,11 @@ std::vector<std::uint32_t> ClassifyPlaces(const Points& points, const std::vecto
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   std::sort(ends.begin(), ends.end(),
-    [&points](std::uint32_t a, std::uint32_t b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
+    [&isBefore](std::uint32_t a, std::uint32_t b) { return isBefore(a, b) || (!isBefore(b, a) && a < b); });
   std::vector<std::uint32_t> place(points.size(), 0);
   for (std::size_t i = 1; i < ends.size(); ++i)
   {
-    place[ends[i]] = place[ends[i - 1]] + (points[ends[i]] != points[ends[i - 1]] ? 1 : 0);
+    place[ends[i]] = place[ends[i - 1]] + (isBefore(ends[i - 1], ends[i]) ? 1 : 0);
   }
   return place;
 }
@@ -128,14 +150,15 @@ void SortByPlace(std::vector<DirectedEdge>& edges, const std::vector<std::uint32
 }
 }
 
-vtkMTStitch vtkMTStitch::Run(const Points& points, const Triangles& triangles)
+vtkMTStitch vtkMTStitch::Run(const Points& points, const Triangles& triangles, const std::vector<std::int32_t>& parts)
 {
   vtkMTStitch result;
   UnionFind identity(points.size());
   std::vector<DirectedEdge> border = FindBorderEdges(points.size(), triangles);
   if (!border.empty())
   {
-    const std::vector<std::uint32_t> place = ClassifyPlaces(points, border);
+    const std::vector<std::uint32_t> place =
+      ClassifyPlaces(points, border, FindPartsOfPoints(points.size(), triangles, parts));
     SortByPlace(border, place);
     const auto sameEdge = [&place](const DirectedEdge& a, const DirectedEdge& b)
     {

@@ -5,7 +5,8 @@
  *
  * Meshes come apart at seams: an OBJ repeats a point for every texture coordinate, an STL for every triangle. A border
  * edge (one that a single triangle uses, by index) is stitched to another one when their ends are equal bit for bit,
- * when no third border edge lies there, and when they run in opposite directions. Nothing else is merged: sheets that
+ * when no third border edge lies there, and when they run in opposite directions. Edges of different parts do not see
+ * each other. Nothing else is merged: sheets that
  * merely coincide, and points that merely are close, stay what their indices say.
  */
 #ifndef vtkMTStitch_h
@@ -24,9 +25,10 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTStitch
   std::int64_t StitchedEdges = 0;  ///< pairs of border edges that were joined
   std::int64_t StitchedPoints = 0; ///< points that took another one's identity
 
-  /// All indices must be in range; no triangle may have two corners at one place.
-  static vtkMTStitch Run(
-    const std::vector<std::array<double, 3>>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles);
+  /// All indices must be in range; no triangle may have two corners at one place. parts: of each triangle; empty where
+  /// there is only one. A point that triangles of several parts use is of the least of them.
+  static vtkMTStitch Run(const std::vector<std::array<double, 3>>& points,
+    const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<std::int32_t>& parts = {});
 };
 
 #endif

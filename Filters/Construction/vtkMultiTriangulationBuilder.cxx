@@ -91,9 +91,13 @@ bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchS
 bool vtkMultiTriangulationBuilder::BuildLevels(vtkMTTriangleStream& input, vtkMTPatchSink& output)
 {
   vtkMTInputMesh mesh;
-  if (!mesh.Read(input, this->LatticeBits, this->MakeNormals, this->ErrorMessage))
+  if (!mesh.Read(input, this->LatticeBits, this->MakeNormals, this->ErrorMessage, this->KeepFarOutliers))
   {
     return false;
+  }
+  if (!mesh.Warning.empty())
+  {
+    vtkWarningMacro(<< mesh.Warning);
   }
   vtkMTLevelLoop::Settings settings;
   settings.PatchTriangles = static_cast<std::size_t>(this->PatchTriangles);
@@ -166,6 +170,7 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LatticeBits: " << this->LatticeBits << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MakeNormals: " << (this->MakeNormals ? "on" : "off") << "\n";
+  os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
   os << indent << "PartitionStrategy: " << this->PartitionStrategy->GetSettings() << "\n";
   os << indent << "Simplifier: " << this->Simplifier->GetSettings() << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";

@@ -64,6 +64,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether triangles that lie so far away that they coarsen the lattice for all others are kept. Default off: a few of
+   * them (at most 16 or 1/1000) are left out, with a warning and counted as "dropped_far_outlier"; more of them are an
+   * error (vtkMTFarOutliers says when exactly).
+   */
+  vtkSetMacro(KeepFarOutliers, bool);
+  vtkGetMacro(KeepFarOutliers, bool);
+  vtkBooleanMacro(KeepFarOutliers, bool);
+  ///@}
+
+  ///@{
   /// How regions are placed. Default: vtkMTVoronoiPartition.
   void SetPartitionStrategy(vtkMTPartitionStrategy* strategy);
   vtkMTPartitionStrategy* GetPartitionStrategy();
@@ -108,6 +119,7 @@ private:
   int LatticeBits = 24;
   int NumberOfThreads = 0;
   bool MakeNormals = true;
+  bool KeepFarOutliers = false;
   vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
   vtkSmartPointer<vtkMTSimplifier> Simplifier;
   std::string ErrorMessage;

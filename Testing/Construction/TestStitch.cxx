@@ -79,3 +79,14 @@ TEST(Stitch, SharedIndexNeedsNoStitch)
   EXPECT_EQ(stitch.StitchedEdges, 0);
   EXPECT_EQ(CountIdentities(stitch), 4u);
 }
+
+TEST(Stitch, EdgesOfDifferentPartsStayApart)
+{
+  Points points;
+  Triangles triangles;
+  MakeSoup(points, triangles);
+  EXPECT_EQ(vtkMTStitch::Run(points, triangles, { 0, 1, 2, 3 }).StitchedEdges, 0);
+  // Two triangles of each part: one edge in common for each pair.
+  EXPECT_EQ(vtkMTStitch::Run(points, triangles, { 0, 0, 7, 7 }).StitchedEdges, 2);
+  EXPECT_EQ(vtkMTStitch::Run(points, triangles, { 5, 5, 5, 5 }).StitchedEdges, 6);
+}
