@@ -81,6 +81,24 @@ void RunBuilder(const Options& options, vtkMTTriangleStream& stream, vtkMTFileSi
   }
 }
 
+// What the input refers to; the file does not hold it yet.
+bmtJson DescribeTextures(const bmtInputReport& report)
+{
+  bmtJson list = bmtJson::array();
+  for (const vtkMTTexture& texture : report.Textures)
+  {
+    bmtJson entry;
+    entry["name"] = texture.Name;
+    entry["type"] = texture.MimeType;
+    entry["bytes"] = texture.Bytes.size();
+    entry["coordinates"] = texture.Coordinates;
+    entry["material"] = texture.Material;
+    entry["part"] = texture.Part;
+    list.push_back(entry);
+  }
+  return list;
+}
+
 bmtJson Build(const Options& options)
 {
   bmtRequireWritable(options.Output);
@@ -98,6 +116,11 @@ bmtJson Build(const Options& options)
   result["seconds"] = bmtWallSeconds() - wall;
   result["cpu_seconds"] = bmtCpuSeconds() - cpu;
   result["reading_seconds"] = reading;
+  if (!report.Textures.empty() || !report.Problems.empty())
+  {
+    result["textures_of_input"] = DescribeTextures(report);
+    result["texture_problems"] = report.Problems;
+  }
   if (!report.Parts.empty())
   {
     result["parts"] = report.Parts;

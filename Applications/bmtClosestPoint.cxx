@@ -133,6 +133,10 @@ void bmtClosestPoint::Fit()
     {
       for (vtkIdType leaf = begin; leaf < end; ++leaf)
       {
+        if (this->IsCopyOfPreviousLeaf(static_cast<std::size_t>(leaf)))
+        {
+          continue; // an empty box is infinitely far away
+        }
         for (std::size_t i = this->Begin(this->Depth, leaf); i < this->Begin(this->Depth, leaf + 1); ++i)
         {
           for (std::uint32_t point : this->Surface.Triangles[this->Order[i]])
@@ -144,9 +148,33 @@ void bmtClosestPoint::Fit()
     });
   for (std::size_t node = firstLeaf; node-- > 0;)
   {
-    this->Boxes[node].Add(this->Boxes[2 * node + 1]);
-    this->Boxes[node].Add(this->Boxes[2 * node + 2]);
+    for (std::size_t child : { 2 * node + 1, 2 * node + 2 })
+    {
+      if (!this->Boxes[child].IsEmpty())
+      {
+        this->Boxes[node].Add(this->Boxes[child]);
+      }
+    }
   }
+}
+
+// Thousands of equal triangles have one barycentre, so that no box tells them apart: they lie together in Order, in
+// ascending order of leaves, and the first leaf of them stands for all.
+bool bmtClosestPoint::IsCopyOfPreviousLeaf(std::size_t leaf) const
+{
+  if (leaf == 0)
+  {
+    return false;
+  }
+  const bmtTriangle& first = this->Surface.Triangles[this->Order[this->Begin(this->Depth, leaf - 1)]];
+  const auto isCopy = [&](std::uint32_t triangle)
+  {
+    const bmtTriangle& t = this->Surface.Triangles[triangle];
+    return std::equal(t.begin(), t.end(), first.begin(),
+      [this](std::uint32_t a, std::uint32_t b) { return this->Surface.Points[a] == this->Surface.Points[b]; });
+  };
+  return std::all_of(this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin(this->Depth, leaf - 1)),
+    this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin(this->Depth, leaf + 1)), isCopy);
 }
 
 double bmtClosestPoint::GetDistance2(const bmtPoint& x, const bmtPoint& a, const bmtPoint& b, const bmtPoint& c)

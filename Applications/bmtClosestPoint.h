@@ -53,6 +53,7 @@ public:
 private:
   void Split();
   void Fit();
+  bool IsCopyOfPreviousLeaf(std::size_t leaf) const;
   std::size_t Begin(int depth, std::size_t node) const;
   double GetTriangleDistance2(const bmtPoint& x, std::uint32_t triangle) const;
   void SearchLeaf(const bmtPoint& x, std::size_t leaf, Result& best) const;

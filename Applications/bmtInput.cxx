@@ -8,6 +8,7 @@
 #include "vtkMTMeshReader.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTTerrain.h"
+#include "vtkMTTextureCollector.h"
 #include "vtkMTVolumeReader.h"
 #include "vtkMultiTriangulation.h"
 
@@ -137,10 +138,25 @@ void bmtAddInputOptions(CLI::App& command, bmtInput& input)
     "Of terrain: keep longitude and latitude in degrees, instead of a local frame in metres");
 }
 
+namespace
+{
+void CollectTextures(const std::vector<std::unique_ptr<Part>>& parts, bmtInputReport& report)
+{
+  vtkMTTextureCollector collector;
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    collector.Collect(parts[part]->Files.front(), parts[part]->Mesh, parts.size() > 1 ? static_cast<int>(part) : -1);
+  }
+  report.Textures = collector.GetTextures();
+  report.Problems = collector.GetProblems();
+}
+}
+
 bmtInputReport bmtReadInput(const bmtInput& input, vtkPolyData* mesh)
 {
   bmtInputReport report;
   std::vector<std::unique_ptr<Part>> parts = ReadParts(input, report);
+  CollectTextures(parts, report);
   if (parts.size() == 1)
   {
     mesh->ShallowCopy(parts.front()->Mesh);

@@ -9,6 +9,7 @@
 #include "bmtCommon.h"
 
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTTexture.h"
 #include "vtkMTTriangleStream.h"
 
 #include <cstdint>
@@ -40,6 +41,8 @@ struct bmtInputReport
 {
   std::map<std::string, std::int64_t> Counts; ///< goes into the model's input_report
   bmtJson Parts = bmtJson::array();           ///< id, files and cells of each, where there are several
+  std::vector<vtkMTTexture> Textures;         ///< that the meshes refer to
+  std::vector<std::string> Problems;          ///< textures that could not be had
 };
 
 /// The kinds of files, for help texts.

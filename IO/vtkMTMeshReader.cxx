@@ -12,11 +12,13 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkGLTFReader.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
 #include "vtkSmartPointer.h"
@@ -142,6 +144,23 @@ bool ReadLegacy(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& 
   return true;
 }
 
+// glTF counts texture coordinates from the top of the image, VTK and all other formats from its bottom.
+void TurnTextureCoordinates(vtkPolyData* mesh)
+{
+  vtkPointData* arrays = mesh->GetPointData();
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = arrays->GetArray(i);
+    const bool isTurned = array && array->GetNumberOfComponents() == 2 &&
+      (arrays->IsArrayAnAttribute(i) == vtkDataSetAttributes::TCOORDS ||
+        (array->GetName() && BeginsWith(array->GetName(), "TEXCOORD_")));
+    for (vtkIdType p = 0; isTurned && p < array->GetNumberOfTuples(); ++p)
+    {
+      array->SetComponent(p, 1, 1.0 - array->GetComponent(p, 1));
+    }
+  }
+}
+
 // A GLB file says how long it is.
 bool CheckGlb(const vtkMTByteSource& bytes, std::string& error)
 {
@@ -194,7 +213,8 @@ bool ReadGltf(const std::string& path, vtkPolyData* output, std::string& error)
     return false;
   }
   append->Update();
-  output->ShallowCopy(append->GetOutput());
+  output->DeepCopy(append->GetOutput()); // of one mesh the output shares the reader's arrays
+  TurnTextureCoordinates(output);
   return true;
 }
 

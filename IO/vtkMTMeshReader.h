@@ -9,7 +9,7 @@
  * - PLY: vtkMTPlyReader; STL: vtkMTStlReader; OBJ: vtkMTObjReader;
  * - VTP, and VTK's legacy format (.vtk) with a polydata in it: VTK's readers;
  * - glTF and GLB: VTK's reader; all meshes of the scene, at the places that their nodes give them, put together; an
- * array stays where all of them have it.
+ * array stays where all of them have it; texture coordinates are turned to count from the image's bottom, as VTK does.
  *
  * Polygons, strips, lines and vertices stay as they are; vtkMTPolyDataStream makes triangles of them. A mesh without
  * polygons and strips is an error here, and so is everything that a VTK reader reports as one: a part of a file is

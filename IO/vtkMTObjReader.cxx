@@ -106,6 +106,7 @@ private:
   bool ReadIndex(std::string_view& token, std::size_t count, std::uint64_t& index);
   bool CheckIndices(std::string& error) const;
   void UseMaterial(std::string_view line);
+  void UseLibraries(std::string_view line);
   void Finish(vtkPolyData* output);
   void FinishPoints(vtkPolyData* output) const;
   void FinishCells(vtkPolyData* output) const;
@@ -124,6 +125,7 @@ private:
   Cells Faces;
   std::map<std::string, int> Materials;
   std::vector<std::string> MaterialNames;
+  std::vector<std::string> Libraries;
   int Material = -1;
   int Group = -1;
 };
@@ -180,6 +182,10 @@ bool Reader::ReadLine(std::string_view line)
   else if (keyword == "usemtl")
   {
     this->UseMaterial(line);
+  }
+  else if (keyword == "mtllib")
+  {
+    this->UseLibraries(line);
   }
   return true;
 }
@@ -296,6 +302,21 @@ void Reader::UseMaterial(std::string_view line)
   this->Material = inserted.first->second;
 }
 
+// One name with blanks in it, or several: the first is what most programs write and mean.
+void Reader::UseLibraries(std::string_view line)
+{
+  const std::size_t first = line.find_first_not_of(" \t");
+  const std::size_t last = line.find_last_not_of(" \t");
+  if (first != std::string_view::npos)
+  {
+    const std::string name(line.substr(first, last - first + 1));
+    if (std::find(this->Libraries.begin(), this->Libraries.end(), name) == this->Libraries.end())
+    {
+      this->Libraries.push_back(name);
+    }
+  }
+}
+
 // A face may name what only comes later in the file, so this is known at the end.
 bool Reader::CheckIndices(std::string& error) const
 {
@@ -395,16 +416,24 @@ void Reader::FinishCells(vtkPolyData* output) const
     std::copy(ofFaces.begin(), ofFaces.end(), std::copy(ofLines.begin(), ofLines.end(), array->GetPointer(0)));
     output->GetCellData()->AddArray(array);
   };
+  const auto addNames = [&](const char* name, const std::vector<std::string>& values)
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName(name);
+    for (const std::string& value : values)
+    {
+      names->InsertNextValue(value);
+    }
+    output->GetFieldData()->AddArray(names);
+  };
+  if (!this->Libraries.empty())
+  {
+    addNames("MaterialLibraries", this->Libraries);
+  }
   if (!this->MaterialNames.empty())
   {
     add("MaterialIds", this->Lines.Materials, this->Faces.Materials);
-    vtkNew<vtkStringArray> names;
-    names->SetName("MaterialNames");
-    for (const std::string& name : this->MaterialNames)
-    {
-      names->InsertNextValue(name);
-    }
-    output->GetFieldData()->AddArray(names);
+    addNames("MaterialNames", this->MaterialNames);
   }
   if (this->Group > 0)
   {

@@ -11,7 +11,7 @@
  *
  * Arrays: points "TCoords" (float x 2), "Normals" (float x 3), "RGB" (float x 3); cells "MaterialIds" (int, counted in
  * the order of the first use, -1 for none) where a material is named, "GroupIds" (int, counted from 0) where there are
- * several groups; field data "MaterialNames". Curves and free-form surfaces are stepped over.
+ * several groups; field data "MaterialNames" and "MaterialLibraries". Curves and free-form surfaces are stepped over.
  */
 #ifndef vtkMTObjReader_h
 #define vtkMTObjReader_h

@@ -166,6 +166,12 @@ bool vtkMTPlyHeader::ParseLine(std::string_view line, bool& isAtEnd, std::string
   const std::string_view keyword = NextToken(line);
   if (keyword.empty() || keyword == "comment" || keyword == "obj_info")
   {
+    const bool isTexture = keyword == "comment" && NextToken(line) == "TextureFile";
+    const std::size_t first = isTexture ? line.find_first_not_of(" \t") : std::string_view::npos;
+    if (first != std::string_view::npos)
+    {
+      this->TextureFiles.emplace_back(line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
+    }
     return true;
   }
   if (keyword == "format")

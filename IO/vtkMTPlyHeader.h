@@ -37,6 +37,7 @@ struct vtkMTPlyHeader
   };
   FormatType Format = Ascii;
   std::vector<vtkMTPlyElement> Elements;
+  std::vector<std::string> TextureFiles; ///< of lines "comment TextureFile NAME"
 
   /// Takes the header off the stream. False, with the reason and the line in error.
   bool Parse(vtkMTTextFormat::Stream& stream, std::string& error);

@@ -9,12 +9,14 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
 #include <cmath>
 #include <cstring>
@@ -413,6 +415,16 @@ void Reader::Finish()
     this->SplitWedges();
   }
   this->Output->SetPolys(ToCells(this->FaceOffsets, this->FaceCorners));
+  if (!this->Header.TextureFiles.empty())
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName("TextureFiles");
+    for (const std::string& name : this->Header.TextureFiles)
+    {
+      names->InsertNextValue(name);
+    }
+    this->Output->GetFieldData()->AddArray(names);
+  }
   const vtkIdType faces = this->Output->GetNumberOfPolys();
   if (this->StripOffsets.size() > 1)
   {

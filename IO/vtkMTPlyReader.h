@@ -11,6 +11,7 @@
  * - face: list vertex_indices (or vertex_index) of any integer type -> polygons; red green blue (alpha) and all others
  * that are no lists -> cell arrays; list texcoord, two values per corner -> texture coordinates of wedges: a point
  * whose corners have different ones becomes several points with the same place;
+ * - lines "comment TextureFile NAME" -> field data "TextureFiles";
  * - tristrips: list vertex_indices (or vertex_index), -1 between strips -> strips, whose cell values are 0.
  *
  * Unlike VTK 9.1's vtkPLYReader it survives any bytes: every count is checked against the bytes that are left before

@@ -58,10 +58,16 @@ void AddTriangle(vtkCellArray* triangles, vtkIdType a, vtkIdType b, vtkIdType c)
   }
 }
 
-void AddSquares(const GridRow& south, const GridRow& north, vtkCellArray* triangles)
+// isCovered: whether some tile has the square; three tiles that meet make no triangle in the place of the fourth.
+void AddSquares(
+  const GridRow& south, const GridRow& north, const std::vector<unsigned char>& isCovered, vtkCellArray* triangles)
 {
   for (std::size_t column = 0; column + 1 < south.Points.size(); ++column)
   {
+    if (!isCovered[column])
+    {
+      continue;
+    }
     const vtkIdType a = south.Points[column], b = south.Points[column + 1];
     const vtkIdType c = north.Points[column + 1], d = north.Points[column];
     // Where one corner is void, the diagonal goes past it, so that one triangle is left.
@@ -116,16 +122,21 @@ public:
       std::swap(rows[0], rows[1]);
       rows[1].Clear(this->Columns);
       std::vector<unsigned char> covered(this->Columns, 0);
+      std::vector<unsigned char> squares(this->Columns, 0); // between the row before and this one
       for (const Placed& placed : tiles)
       {
         if (row >= placed.Row && row < placed.Row + static_cast<std::int64_t>(placed.Tile.Rows))
         {
-          this->AddSamples(placed.Tile, static_cast<std::size_t>(row - placed.Row),
-            static_cast<std::size_t>(placed.Column - this->Begin[0]), rows[1], covered);
+          const auto first = static_cast<std::size_t>(placed.Column - this->Begin[0]);
+          this->AddSamples(placed.Tile, static_cast<std::size_t>(row - placed.Row), first, rows[1], covered);
+          if (row > placed.Row)
+          {
+            std::fill_n(squares.begin() + static_cast<std::ptrdiff_t>(first), placed.Tile.Columns - 1, 1);
+          }
         }
       }
       this->AddPoints(row, covered, rows[1], points);
-      AddSquares(rows[0], rows[1], triangles);
+      AddSquares(rows[0], rows[1], squares, triangles);
     }
   }
 

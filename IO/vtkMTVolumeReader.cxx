@@ -127,6 +127,34 @@ bool UseScalars(vtkImageData* volume, std::string& error)
   return true;
 }
 
+// vtkNrrdReader of VTK 9.1 never ends on a header that does not: "NRRD", lines with a colon or comments, a blank line.
+bool CheckNrrd(const vtkMTByteSource& source, std::string& error)
+{
+  const bool isDetached = vtkMTTextFormat::GetLowerCaseEnding(source.GetName()) == "nhdr";
+  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(source.GetSize(), 1 << 20)), ' ');
+  if (!source.Read(0, text.size(), text.data(), error))
+  {
+    return false;
+  }
+  bool good = text.rfind("NRRD", 0) == 0;
+  std::size_t line = text.find('\n');
+  int number = 2;
+  for (; good && line != std::string::npos; ++number)
+  {
+    const std::size_t end = text.find('\n', line + 1);
+    const std::string field = text.substr(line + 1, (end == std::string::npos ? text.size() : end) - line - 1);
+    const bool isLast = field.empty() || field == "\r";
+    if (isLast && (end != std::string::npos || isDetached))
+    {
+      return true;
+    }
+    good = end != std::string::npos && (field[0] == '#' || field.find(':') != std::string::npos);
+    line = end;
+  }
+  error = "line " + std::to_string(number - 1) + ": is no line of a NRRD header, or the header does not end";
+  return false;
+}
+
 bool ReadUnnamed(const std::string& path, double bytes, vtkImageData* output, std::string& error)
 {
   vtkMTErrorCollector errors;
@@ -188,7 +216,7 @@ bool Guard(const std::string& path, Output* output, std::string& error, Body&& b
   std::string reason;
   try
   {
-    if (body(static_cast<double>(bytes->GetSize()), reason))
+    if (body(*bytes, reason))
     {
       return true;
     }
@@ -214,14 +242,17 @@ bool vtkMTVolumeReader::CanRead(const std::string& path)
 bool vtkMTVolumeReader::ReadVolume(const std::string& path, vtkImageData* output, std::string& error)
 {
   return Guard(path, output, error,
-    [&](double bytes, std::string& reason)
+    [&](const vtkMTByteSource& bytes, std::string& reason)
     {
       if (!CanRead(path))
       {
         reason = "is no volume; .vti, .mhd, .mha, .nrrd, .nhdr, .nii, .nii.gz and .vtk with structured points are read";
         return false;
       }
-      return ReadUnnamed(path, bytes, output, reason);
+      const std::string ending = GetEnding(path);
+      const bool isNrrd = ending == "nrrd" || ending == "nhdr";
+      return (!isNrrd || CheckNrrd(bytes, reason)) &&
+        ReadUnnamed(path, static_cast<double>(bytes.GetSize()), output, reason);
     });
 }
 
@@ -235,7 +266,7 @@ bool vtkMTVolumeReader::ReadIsosurface(
     return false;
   }
   return Guard(path, output, error,
-    [&](double, std::string& reason)
+    [&](const vtkMTByteSource&, std::string& reason)
     {
       if (!std::isfinite(value))
       {

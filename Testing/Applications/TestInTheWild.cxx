@@ -259,7 +259,8 @@ const std::vector<Case>& GetCases()
 {
   using namespace MTTestMeshes;
   static const std::vector<Case> cases{
-    { "DuplicateFaces", [] { return RepeatFaces(false); }, 4852, {} },
+    // Six of the copies have an edge at the terrain's border: there, two triangles of one winding meet.
+    { "DuplicateFaces", [] { return RepeatFaces(false); }, 4852, { { "reoriented_triangles", 6 } } },
     { "OppositeFaces", [] { return RepeatFaces(true); }, 4852, {} },
     { "IsolatedVertices", IsolatedVertices, 4802, { { "isolated_points", 7 } } },
     { "BowTies", [] { return BowTie(30, 4); }, 4 * 2 * 29 * 29, {} },

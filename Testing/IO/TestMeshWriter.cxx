@@ -275,7 +275,7 @@ TEST(MeshWriter, UnknownEndingsAndFoldersAreClearErrors)
   const MTTestMeshes::Mesh mesh = MTTestMeshes::Icosphere(0);
   std::string error;
   EXPECT_FALSE(vtkMTMeshWriter::Write(folder / "mesh.xyz", mesh, error));
-  EXPECT_NE(error.find(".ply, .stl, .obj or .vtp"), std::string::npos);
+  EXPECT_NE(error.find(".ply, .stl, .obj, .vtp, .gltf or .glb"), std::string::npos);
   EXPECT_FALSE(vtkMTMeshWriter::Write(folder / "mesh", mesh, error));
   EXPECT_FALSE(vtkMTMeshWriter::Write(folder / "missing/mesh.ply", mesh, error));
   EXPECT_NE(error.find("missing/mesh.ply"), std::string::npos);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes of every format, and their isosurfaces.
+#include "MTIOTest.h"
+
+#include "vtkMTVolumeReader.h"
+
+#include "vtkImageData.h"
+#include "vtkMetaImageWriter.h"
+#include "vtkNIFTIImageWriter.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredPointsWriter.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <cmath>
+
+using namespace MTIOTest;
+
+namespace
+{
+constexpr int Size = 24;
+
+vtkSmartPointer<vtkImageData> MakeBall()
+{
+  auto volume = vtkSmartPointer<vtkImageData>::New();
+  volume->SetDimensions(Size, Size, Size);
+  volume->AllocateScalars(VTK_FLOAT, 1);
+  for (int z = 0; z < Size; ++z)
+  {
+    for (int y = 0; y < Size; ++y)
+    {
+      for (int x = 0; x < Size; ++x)
+      {
+        volume->SetScalarComponentFromDouble(x, y, z, 0, std::hypot(x - 11.3, y - 11.6, z - 11.2));
+      }
+    }
+  }
+  return volume;
+}
+
+template <typename Writer>
+void WriteWith(const std::string& path)
+{
+  vtkNew<Writer> writer;
+  writer->SetInputData(MakeBall());
+  writer->SetFileName(path.c_str());
+  writer->Write();
+}
+
+// The same samples by hand: a header in text, then the numbers.
+void WriteNrrd(const std::string& path)
+{
+  Bytes bytes;
+  const std::string head = "NRRD0004\ntype: float\ndimension: 3\nsizes: 24 24 24\nspacings: 1 1 1\nendian: little\n"
+                           "encoding: raw\n\n";
+  bytes.assign(head.begin(), head.end());
+  const auto ball = MakeBall();
+  const auto* values = static_cast<const unsigned char*>(ball->GetScalarPointer());
+  bytes.insert(bytes.end(), values, values + Size * Size * Size * sizeof(float));
+  WriteFile(path, bytes);
+}
+}
+
+TEST(VolumeReader, EveryFormatGivesTheSameIsosurface)
+{
+  const std::filesystem::path folder = std::filesystem::path(MT_TEST_OUTPUT_DIRECTORY) / "Volumes";
+  std::filesystem::create_directories(folder);
+  WriteWith<vtkXMLImageDataWriter>((folder / "ball.vti").string());
+  WriteWith<vtkStructuredPointsWriter>((folder / "ball.vtk").string());
+  WriteWith<vtkMetaImageWriter>((folder / "ball.mhd").string());
+  WriteWith<vtkMetaImageWriter>((folder / "ball.mha").string());
+  WriteWith<vtkNIFTIImageWriter>((folder / "ball.nii.gz").string());
+  WriteNrrd((folder / "ball.nrrd").string());
+  for (const char* name : { "ball.vti", "ball.vtk", "ball.mhd", "ball.mha", "ball.nii.gz", "ball.nrrd" })
+  {
+    const std::string path = (folder / name).string();
+    vtkNew<vtkPolyData> mesh;
+    std::string error;
+    EXPECT_TRUE(vtkMTVolumeReader::CanRead(path)) << name;
+    ASSERT_TRUE(vtkMTVolumeReader::ReadIsosurface(path, 9.0, false, mesh, error)) << error;
+    EXPECT_NEAR(mesh->GetLength(), 18.0 * std::sqrt(3.0), 0.3) << name;
+    EXPECT_GT(mesh->GetNumberOfPolys(), 1000) << name;
+    EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 0) << name;
+    ASSERT_TRUE(vtkMTVolumeReader::ReadIsosurface(path, 9.0, true, mesh, error)) << error;
+    EXPECT_NE(mesh->GetPointData()->GetNormals(), nullptr) << name;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(VolumeReader, WhatIsNoVolumeOrHasNoSuchSurfaceIsAnErrorThatNamesTheFile)
+{
+  const std::filesystem::path folder = std::filesystem::path(MT_TEST_OUTPUT_DIRECTORY) / "BadVolumes";
+  std::filesystem::create_directories(folder);
+  const std::string good = (folder / "ball.vti").string();
+  WriteWith<vtkXMLImageDataWriter>(good);
+  WriteFile((folder / "noise.mha").string(), std::string(500, 'x'));
+  WriteFile((folder / "noise.nrrd").string(), std::string("NRRD0004\n") + std::string(500, 'x'));
+  WriteFile((folder / "endless.nrrd").string(), std::string("NRRD0004\ntype: float\nsizes: 24 24 24"));
+  WriteFile((folder / "alone.nhdr").string(),
+    std::string("NRRD0004\ntype: float\ndimension: 3\nsizes: 24 24 24\nendian: little\nencoding: raw\n"
+                "data file: nowhere.raw\n"));
+  WriteFile((folder / "noise.nii").string(), std::string(500, 'x'));
+  WriteFile((folder / "empty.vti").string(), std::string());
+  WriteFile((folder / "huge.vtk").string(),
+    std::string("# vtk DataFile Version 3.0\nv\nBINARY\nDATASET STRUCTURED_POINTS\nDIMENSIONS 9000 9000 9000\n"
+                "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 729000000000\nSCALARS s float\nLOOKUP_TABLE default\n"));
+  vtkNew<vtkPolyData> mesh;
+  std::string error;
+  EXPECT_FALSE(vtkMTVolumeReader::ReadIsosurface(good, 900.0, false, mesh, error));
+  EXPECT_NE(error.find("its values are between"), std::string::npos) << error;
+  for (const char* name : { "noise.mha", "noise.nrrd", "endless.nrrd", "alone.nhdr", "noise.nii", "empty.vti",
+         "huge.vtk", "missing.vti", "missing.mhd" })
+  {
+    error.clear();
+    EXPECT_FALSE(vtkMTVolumeReader::ReadIsosurface((folder / name).string(), 1.0, false, mesh, error)) << name;
+    EXPECT_NE(error.find(name), std::string::npos) << error;
+    EXPECT_EQ(mesh->GetNumberOfPoints(), 0);
+    std::printf("%s\n", error.substr(error.find(name)).c_str());
+  }
+  std::filesystem::remove_all(folder);
+}
