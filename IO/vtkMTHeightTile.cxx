@@ -96,7 +96,8 @@ bool vtkMTHeightTile::ReadSrtm(std::string& error)
   {
     return false;
   }
-  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(bytes.size() / 2))));
+  const std::size_t samples = bytes.size() / 2;
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(samples))));
   if (size < 2 || 2 * size * size != bytes.size())
   {
     error = "its " + std::to_string(bytes.size()) + " bytes are no square tile of 16-bit heights (1201 x 1201 or " +

@@ -187,11 +187,15 @@ std::string FromPercent(const std::string& uri)
 class Gltf
 {
 public:
-  // Throws Json::exception where the JSON is not as it should be.
-  bool Open(const std::string& path, std::string& error)
+  explicit Gltf(const std::string& path)
+    : Path(path)
   {
-    this->Path = path;
-    this->Source = vtkMTFileByteSource::Open(path, error);
+  }
+
+  // Throws Json::exception where the JSON is not as it should be.
+  bool Open(std::string& error)
+  {
+    this->Source = vtkMTFileByteSource::Open(this->Path, error);
     std::uint32_t head[5] = {};
     if (!this->Source || this->Source->GetSize() < sizeof(head) || !this->Source->Read(0, sizeof(head), head, error))
     {
@@ -203,7 +207,7 @@ public:
     this->BinaryBegin = begin + size + 8;
     if (size > vtkMTTextureCollector::LargestImage || begin + size > this->Source->GetSize())
     {
-      error = path + ": its JSON is larger than the file, or than 256 MiB";
+      error = this->Path + ": its JSON is larger than the file, or than 256 MiB";
       return false;
     }
     std::string text(size, ' ');
@@ -267,7 +271,7 @@ private:
     return good;
   }
 
-  std::string Path;
+  const std::string Path;
   std::unique_ptr<vtkMTFileByteSource> Source;
   std::uint64_t BinaryBegin = 0;
 };
@@ -342,9 +346,9 @@ void vtkMTTextureCollector::CollectPly(const std::string& path, vtkPolyData* mes
 
 void vtkMTTextureCollector::CollectGltf(const std::string& path, int part)
 {
-  Gltf file;
+  Gltf file(path);
   std::string error;
-  if (!file.Open(path, error))
+  if (!file.Open(error))
   {
     this->Problems.push_back(error);
     return;
