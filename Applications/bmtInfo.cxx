@@ -63,9 +63,8 @@ void PrintDot(const std::string& path, std::ostream& out)
     }
     out << "\\nerror " << node.Error << "\"];\n";
   }
-  for (std::size_t a = 0; a < graph.Arcs.size(); ++a)
+  for (const vtkMTArc& arc : graph.Arcs)
   {
-    const vtkMTArc& arc = graph.Arcs[a];
     out << "  n" << arc.From << " -> n" << arc.To << " [label=\"" << arc.Triangles << "\"];\n";
   }
   out << "}\n";

@@ -19,9 +19,10 @@ constexpr double StepsPerEdge = 16.0;
 constexpr std::size_t AlwaysFew = 16;
 
 // The exponent of the power of two at or below x; zero and infinity have some of their own.
+constexpr int PowerOfZero = -1100;
 int GetPower(double x)
 {
-  return x > 0.0 ? (std::isinf(x) ? std::numeric_limits<double>::max_exponent : std::ilogb(x)) : -2000;
+  return x > 0.0 ? (std::isinf(x) ? std::numeric_limits<double>::max_exponent : std::ilogb(x)) : PowerOfZero;
 }
 
 class Finder
@@ -117,7 +118,7 @@ private:
     {
       return this->TypicalEdge;
     }
-    Histogram lengths;
+    std::vector<std::size_t> lengths(std::numeric_limits<double>::max_exponent - PowerOfZero + 1, 0);
     for (const auto& t : this->Corners)
     {
       for (int c = 0; c < 3; ++c)
@@ -127,19 +128,15 @@ private:
         {
           length = std::max(length, std::abs(this->Places[t[c]][i] - this->Places[t[(c + 1) % 3]][i]));
         }
-        ++lengths[GetPower(length)];
+        ++lengths[static_cast<std::size_t>(GetPower(length) - PowerOfZero)];
       }
     }
-    std::size_t count = 0;
-    for (const auto& [power, edges] : lengths)
+    std::size_t power = 0;
+    for (std::size_t count = lengths[0]; 2 * count < 3 * this->Corners.size(); count += lengths[power])
     {
-      count += edges;
-      if (2 * count >= 3 * this->Corners.size())
-      {
-        this->TypicalEdge = std::ldexp(1.0, power + 1);
-        break;
-      }
+      ++power;
     }
+    this->TypicalEdge = std::ldexp(1.0, static_cast<int>(power) + PowerOfZero + 1);
     return this->TypicalEdge;
   }
 
