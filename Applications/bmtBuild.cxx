@@ -2,6 +2,7 @@
 #include "bmtCommon.h"
 #include "bmtInput.h"
 #include "bmtModel.h"
+#include "bmtModelSink.h"
 
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTFileSink.h"
@@ -11,13 +12,17 @@
 #include "vtkMultiTriangulationBuilder.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,7 +37,12 @@ struct Options
   int PatchTriangles = 1000;
   int LatticeBits = 24;
   int Threads = 0;
+  double Precision = 0.0;
+  std::string Compression = "fast";
+  std::vector<std::string> Arrays;
+  CLI::Option* ArraysOption = nullptr;
   bool NoNormals = false;
+  bool NoIds = false;
   bool KeepFarOutliers = false;
 };
 
@@ -45,7 +55,7 @@ void Advance(vtkObject* caller, unsigned long, void* client, void* fraction)
   }
 }
 
-void Configure(const Options& options, vtkMultiTriangulationBuilder* builder)
+void Configure(const Options& options, int latticeBits, vtkMultiTriangulationBuilder* builder)
 {
   if (options.Partition == "regular")
   {
@@ -59,16 +69,63 @@ void Configure(const Options& options, vtkMultiTriangulationBuilder* builder)
   simplifier->SetModeByName(options.Simplifier.c_str());
   builder->SetSimplifier(simplifier);
   builder->SetPatchTriangles(options.PatchTriangles);
-  builder->SetLatticeBits(options.LatticeBits);
+  builder->SetLatticeBits(latticeBits);
   builder->SetNumberOfThreads(options.Threads);
   builder->SetMakeNormals(!options.NoNormals);
   builder->SetKeepFarOutliers(options.KeepFarOutliers);
 }
 
-void RunBuilder(const Options& options, vtkMTTriangleStream& stream, vtkMTFileSink& sink)
+// The bits that keep every point within the precision.
+int GetLatticeBits(const Options& options, vtkPolyData* mesh)
+{
+  if (!(options.Precision > 0.0))
+  {
+    return options.LatticeBits;
+  }
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  for (int bits = vtkMTLattice::MinimumBits; bits <= vtkMTLattice::MaximumBits; ++bits)
+  {
+    if (vtkMTLattice::FromBounds(bounds, bits).MaximumShift <= options.Precision)
+    {
+      return bits;
+    }
+  }
+  std::ostringstream message;
+  message << "--precision " << options.Precision
+          << " is finer than a lattice of 2^31 steps over this mesh resolves; the least is "
+          << vtkMTLattice::FromBounds(bounds, vtkMTLattice::MaximumBits).MaximumShift;
+  throw bmtError(message.str());
+}
+
+// Leaves out what --arrays does not name.
+void SelectArrays(const std::vector<std::string>& names, vtkPolyData* mesh)
+{
+  for (const std::string& name : names)
+  {
+    if (!mesh->GetPointData()->HasArray(name.c_str()) && !mesh->GetCellData()->HasArray(name.c_str()))
+    {
+      throw bmtError("--arrays: the input has no array \"" + name + "\"");
+    }
+  }
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
+  {
+    for (int i = data->GetNumberOfArrays(); i-- > 0;)
+    {
+      const char* name = data->GetArrayName(i);
+      if (!name || std::find(names.begin(), names.end(), name) == names.end())
+      {
+        data->RemoveArray(i);
+      }
+    }
+  }
+}
+
+void RunBuilder(const Options& options, int latticeBits, vtkMTTriangleStream& stream, vtkMTPatchSink& sink)
 {
   vtkNew<vtkMultiTriangulationBuilder> builder;
-  Configure(options, builder);
+  Configure(options, latticeBits, builder);
   bmtProgress progress("building");
   vtkNew<vtkCallbackCommand> advance;
   advance->SetCallback(Advance);
@@ -81,7 +138,7 @@ void RunBuilder(const Options& options, vtkMTTriangleStream& stream, vtkMTFileSi
   }
 }
 
-// What the input refers to; the file does not hold it yet.
+// What the input refers to and the file holds as blobs.
 bmtJson DescribeTextures(const bmtInputReport& report)
 {
   bmtJson list = bmtJson::array();
@@ -99,6 +156,11 @@ bmtJson DescribeTextures(const bmtInputReport& report)
   return list;
 }
 
+vtkMTFileSink::CompressionType GetCompression(const std::string& name)
+{
+  return name == "none" ? vtkMTFileSink::None : (name == "small" ? vtkMTFileSink::Small : vtkMTFileSink::Fast);
+}
+
 bmtJson Build(const Options& options)
 {
   bmtRequireWritable(options.Output);
@@ -106,10 +168,15 @@ bmtJson Build(const Options& options)
   const double cpu = bmtCpuSeconds();
   vtkNew<vtkPolyData> mesh;
   const bmtInputReport report = bmtReadInput(options.Input, mesh);
+  if (options.ArraysOption && options.ArraysOption->count() > 0)
+  {
+    SelectArrays(options.Arrays, mesh);
+  }
   const double reading = bmtWallSeconds() - wall;
   bmtInputStream stream(mesh, report.Counts);
-  vtkMTFileSink sink(options.Output);
-  RunBuilder(options, stream, sink);
+  vtkMTFileSink sink(options.Output, GetCompression(options.Compression));
+  bmtModelSink model(sink, report.Textures, !options.NoIds);
+  RunBuilder(options, GetLatticeBits(options, mesh), stream, model);
 
   bmtJson result;
   result["output"] = options.Output;
@@ -155,6 +222,19 @@ void AddOptions(CLI::App& command, Options& options)
     .add_option("--threads", options.Threads, "Threads; 0: as many as there are processors. No influence on the file")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
+  command
+    .add_option("--precision", options.Precision,
+      "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
+    ->check(CLI::PositiveNumber);
+  command
+    .add_option("--compression", options.Compression,
+      "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
+    ->check(CLI::IsMember({ "none", "fast", "small" }))
+    ->capture_default_str();
+  options.ArraysOption =
+    command.add_option("--arrays", options.Arrays, "The input's arrays to keep, with commas between; \"\": none")
+      ->delimiter(',');
+  command.add_flag("--no-ids", options.NoIds, "Do not keep the input's cell ids, by which picking finds cells");
   command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
     "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
   command.add_flag("--no-normals", options.NoNormals, "Make no smooth normals where the input has none");

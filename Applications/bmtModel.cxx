@@ -135,7 +135,16 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["root_triangles"] = graph.GetRootTriangles();
   json["blocked"] = DescribeMap(graph.Blocked);
   json["input_report"] = DescribeMap(graph.InputReport);
+  for (const vtkMTBlobInfo& blob : graph.Blobs)
+  {
+    bmtJson entry;
+    entry["name"] = blob.Name;
+    entry["type"] = blob.Type;
+    entry.update(bmtJson(blob.Properties));
+    json["blobs"].push_back(entry);
+  }
   json["lattice_step"] = graph.Lattice.Step;
+  json["largest_shift"] = graph.Lattice.MaximumShift;
   json["finest_error"] = graph.IsEmpty() ? 0.0 : graph.Nodes[graph.GetSink()].Error;
   json["coarsest_error"] = graph.IsEmpty() ? 0.0 : vtkMTCut(graph).GetError();
   return json;

@@ -131,6 +131,15 @@ std::vector<bmtCheck> bmtCheckStructure(const vtkMTPatchSource& source)
     Append(patches, vtkMTValidate::Patch(graph, arc, patch));
     nesting.TestPatch(arc, patch);
   }
+  std::vector<unsigned char> blob;
+  for (std::uint32_t i = 0; i < graph.Blobs.size(); ++i)
+  {
+    ++checksums.Tested;
+    if (!source.ReadBlob(i, blob, error))
+    {
+      checksums.Fail(error);
+    }
+  }
   return { checksums, dag, patches, nesting.Check };
 }
 

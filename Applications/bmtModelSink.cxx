@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bmtModelSink.h"
+
+#include <algorithm>
+
+namespace
+{
+vtkMTBlobInfo Describe(const vtkMTTexture& texture)
+{
+  vtkMTBlobInfo info;
+  info.Name = texture.Name;
+  info.Type = texture.MimeType;
+  info.Properties = { { "use", "texture" }, { "coordinates", texture.Coordinates },
+    { "material", std::to_string(texture.Material) }, { "material_name", texture.MaterialName },
+    { "part", std::to_string(texture.Part) } };
+  return info;
+}
+
+bool IsIds(const vtkMTArrayInfo& array)
+{
+  return array.Role == vtkMTArrayInfo::InputCellIds;
+}
+}
+
+bmtModelSink::bmtModelSink(vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds)
+  : Next(next)
+  , Textures(textures)
+  , WithIds(withIds)
+{
+}
+
+bool bmtModelSink::Pass(bool done)
+{
+  this->Error = done ? "" : this->Next.GetError();
+  return done;
+}
+
+std::vector<vtkMTArrayInfo> bmtModelSink::Select(const std::vector<vtkMTArrayInfo>& arrays) const
+{
+  std::vector<vtkMTArrayInfo> selected = arrays;
+  if (!this->WithIds)
+  {
+    selected.erase(std::remove_if(selected.begin(), selected.end(), IsIds), selected.end());
+  }
+  return selected;
+}
+
+bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
+{
+  this->DroppedCellColumns.clear();
+  std::size_t column = 0;
+  for (const vtkMTArrayInfo& array : arrays)
+  {
+    if (array.Association == vtkMTArrayInfo::Cell)
+    {
+      if (!this->WithIds && IsIds(array))
+      {
+        this->DroppedCellColumns.insert(this->DroppedCellColumns.begin(), column);
+      }
+      ++column;
+    }
+  }
+  bool done = this->Next.Begin(this->Select(arrays));
+  for (std::size_t i = 0; done && i < this->Textures.size(); ++i)
+  {
+    done = this->Next.WriteBlob(std::vector<unsigned char>(this->Textures[i].Bytes));
+  }
+  return this->Pass(done);
+}
+
+bool bmtModelSink::WritePatch(vtkMTPatch&& patch)
+{
+  for (std::size_t column : this->DroppedCellColumns)
+  {
+    patch.CellColumns.erase(patch.CellColumns.begin() + static_cast<std::ptrdiff_t>(column));
+  }
+  return this->Pass(this->Next.WritePatch(std::move(patch)));
+}
+
+bool bmtModelSink::WriteBlob(std::vector<unsigned char>&& bytes)
+{
+  return this->Pass(this->Next.WriteBlob(std::move(bytes)));
+}
+
+bool bmtModelSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)
+{
+  vtkMTGraph finished = graph;
+  finished.Arrays = this->Select(graph.Arrays);
+  std::vector<vtkMTBlobInfo> blobs;
+  std::transform(this->Textures.begin(), this->Textures.end(), std::back_inserter(blobs), Describe);
+  finished.Blobs.insert(finished.Blobs.begin(), blobs.begin(), blobs.end());
+  return this->Pass(this->Next.Finish(finished, patchOfArc));
+}

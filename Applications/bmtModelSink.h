@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file bmtModelSink.h
+ * @brief a patch sink in front of another one, for what `bmt build` adds to a model or leaves out of it
+ */
+#ifndef bmtModelSink_h
+#define bmtModelSink_h
+
+#include "vtkMTGraph.h"
+#include "vtkMTPatchSink.h"
+#include "vtkMTTexture.h"
+
+#include <vector>
+
+class bmtModelSink : public vtkMTPatchSink
+{
+public:
+  /// textures become blobs of the model; without ids the array of input cell ids is left out.
+  bmtModelSink(vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds);
+
+  bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
+  bool WritePatch(vtkMTPatch&& patch) override;
+  bool WriteBlob(std::vector<unsigned char>&& bytes) override;
+  bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) override;
+  void Abandon() override { this->Next.Abandon(); }
+
+private:
+  bool Pass(bool done);
+  std::vector<vtkMTArrayInfo> Select(const std::vector<vtkMTArrayInfo>& arrays) const;
+
+  vtkMTPatchSink& Next;
+  const std::vector<vtkMTTexture>& Textures;
+  const bool WithIds;
+  std::vector<std::size_t> DroppedCellColumns; // from the last to the first
+};
+
+#endif
