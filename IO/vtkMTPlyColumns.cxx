@@ -44,14 +44,14 @@ vtkSmartPointer<vtkDataArray> vtkMTPlyColumns::Group(
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName(name);
   array->SetNumberOfComponents(static_cast<int>(properties.size()));
-  // Room for a row more than there are, so that there is an address even for none.
-  array->Allocate(static_cast<vtkIdType>((this->Element.Count + 1) * properties.size()));
   array->SetNumberOfTuples(static_cast<vtkIdType>(this->Element.Count));
   const std::size_t size = vtkMTPlyHeader::GetSize(type);
-  unsigned char* first = static_cast<unsigned char*>(array->GetVoidPointer(0));
+  // An array without rows may have no address; a target must have one, though nothing will be written there.
+  static unsigned char nowhere;
+  unsigned char* first = this->Element.Count > 0 ? static_cast<unsigned char*>(array->GetVoidPointer(0)) : nullptr;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    this->Targets[places[i]] = { first + i * size, properties.size() * size, type };
+    this->Targets[places[i]] = { first ? first + i * size : &nowhere, properties.size() * size, type };
   }
   return array;
 }
@@ -89,7 +89,8 @@ void vtkMTPlyColumns::AddOthers(vtkDataSetAttributes* attributes)
       continue;
     }
     // AddArray would replace, and free, an array of the same name whose values are still to come.
-    std::string name = property.Name;
+    // VTK's names end at a zero byte, also where a file's go on behind it.
+    std::string name = property.Name.c_str();
     while (attributes->HasArray(name.c_str()))
     {
       name += "_";

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A section of a patch: the decoders alone, behind all checks of file and directory.
+#include "vtkMTPatchCodec.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+constexpr std::size_t HeadSize = 16;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  if (size < HeadSize)
+  {
+    return 0;
+  }
+  std::uint16_t counts[4];
+  std::memcpy(counts, data + 1, sizeof(counts));
+  vtkMTArc arc;
+  arc.Points = counts[0];
+  arc.Wedges = counts[1];
+  arc.Triangles = counts[2];
+  arc.SharedPoints = std::min(counts[3], counts[0]);
+  vtkMTArrayInfo array;
+  array.Type = data[9] % 18;
+  array.Components = 1 + data[10] % 9;
+  array.Association = data[11] % 2 ? vtkMTArrayInfo::Cell : vtkMTArrayInfo::Point;
+  array.Role = data[12] % 2 ? vtkMTArrayInfo::MadeNormals : vtkMTArrayInfo::Plain;
+  vtkMTFileFormat::SectionRecord section{};
+  section.Codec = data[0] % 3;
+  section.StoredSize = static_cast<std::uint32_t>(size - HeadSize);
+  const std::vector<unsigned char> bytes(data + HeadSize, data + size); // so that reads past its end are seen
+  std::string error;
+  vtkMTPatch patch;
+  vtkMTPatchCodec::DecodeGeometry(section, bytes.data(), arc, patch, error);
+  vtkMTColumn column;
+  if (array.GetTupleSize() > 0)
+  {
+    vtkMTPatchCodec::DecodeColumn(section, bytes.data(), arc, array, column, error);
+  }
+  return 0;
+}

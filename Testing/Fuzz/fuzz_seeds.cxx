@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fuzz_seeds NAME FOLDER: small good inputs for the fuzzer of that name.
+#include "MTTestMeshes.h"
+#include "MTTestModel.h"
+
+#include "vtkMTFileSink.h"
+#include "vtkMTMeshWriter.h"
+
+#include "vtkPolyData.h"
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+namespace
+{
+bool WriteModels(const std::string& folder)
+{
+  const vtkMTFileSink::CompressionType types[] = { vtkMTFileSink::None, vtkMTFileSink::Fast, vtkMTFileSink::Small };
+  for (int i = 0; i < 3; ++i)
+  {
+    MTTestModel::TubeOptions options;
+    options.Rings = 8;
+    options.Across = 3 + i;
+    options.Regions = 2;
+    const auto model = MTTestModel::MakeTube(options);
+    vtkMTFileSink sink(folder + "/tube" + std::to_string(i) + ".bmt", types[i]);
+    vtkMTGraph graph = model->GetGraph();
+    graph.Blobs.push_back({ "picture", "image/png", {} });
+    bool done = sink.Begin(graph.Arrays) && sink.WriteBlob(std::vector<unsigned char>(10, 1));
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t arc = 0; done && arc < graph.Arcs.size(); ++arc)
+    {
+      vtkMTPatch patch;
+      std::string error;
+      done = model->ReadPatch(arc, nullptr, patch, error) && sink.WritePatch(std::move(patch));
+      order.push_back(arc);
+    }
+    if (!done || !sink.Finish(graph, order))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Codec, counts and array type as fuzz_patch reads them, then bytes that mean little yet.
+void WritePatches(const std::string& folder)
+{
+  for (int codec = 0; codec < 3; ++codec)
+  {
+    std::ofstream file(folder + "/patch" + std::to_string(codec), std::ios::binary);
+    const unsigned char head[16] = { static_cast<unsigned char>(codec), 4, 0, 4, 0, 2, 0, 1, 0, 10, 3, 0 };
+    file.write(reinterpret_cast<const char*>(head), sizeof(head));
+    file << std::string(100, '\0');
+  }
+}
+}
+
+int main(int argc, char** argv)
+{
+  if (argc != 3)
+  {
+    std::fprintf(stderr, "usage: fuzz_seeds NAME FOLDER\n");
+    return 2;
+  }
+  const std::string name = argv[1];
+  const std::string folder = argv[2];
+  if (name == "model")
+  {
+    return WriteModels(folder) ? 0 : 1;
+  }
+  if (name == "patch")
+  {
+    WritePatches(folder);
+    return 0;
+  }
+  std::string error;
+  const bool done = vtkMTMeshWriter::Write(folder + "/mesh." + name, MTTestMeshes::Icosphere(1), error);
+  if (name == "ply")
+  {
+    std::ofstream(folder + "/text.ply")
+      << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+         "property float z\nproperty uchar red\nelement face 1\n"
+         "property list uchar int vertex_indices\nend_header\n"
+         "0 0 0 1\n1 0 0 2\n1 1 0 3\n0 1 0 4\n4 0 1 2 3\n";
+  }
+  if (name == "stl")
+  {
+    std::ofstream(folder + "/text.stl") << "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                           "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+  }
+  if (name == "obj")
+  {
+    std::ofstream(folder + "/text.obj") << "mtllib a.mtl\nv 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng one\n"
+                                           "usemtl red\nf 1/1/1 2/1/1 3/1/1\nf -3//-1 -2//-1 -1//-1\n";
+  }
+  return done ? 0 : 1;
+}
