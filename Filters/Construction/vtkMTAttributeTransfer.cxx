@@ -2,6 +2,7 @@
 #include "vtkMTAttributeTransfer.h"
 
 #include "vtkMTSimplifier.h"
+#include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
 #include "vtkMTVector.h"
 
@@ -18,20 +19,7 @@ using namespace vtkMTVector;
 
 namespace
 {
-using Hit = vtkMTTriangleTree::Hit;
-
-Vector ToVector(const vtkMTPoint& k, const vtkMTPoint& origin)
-{
-  return { static_cast<double>(k[0]) - static_cast<double>(origin[0]),
-    static_cast<double>(k[1]) - static_cast<double>(origin[1]),
-    static_cast<double>(k[2]) - static_cast<double>(origin[2]) };
-}
-
-Hit FindOnFloor(const vtkMTTriangleTree& tree, const Vector& x, const Vector& direction)
-{
-  const Hit facing = tree.FindNearestFacing(x, direction);
-  return facing.Triangle != Hit::None ? facing : tree.FindNearest(x);
-}
+using Hit = vtkMTSurface::Hit;
 
 template <class Value>
 Value FromDouble(double value)
@@ -139,73 +127,121 @@ private:
   const vtkMTSimplification& Simplification;
 };
 
-// For every moved point where on the floor its values are; None for the others.
-std::vector<Hit> LocateMovedPoints(
-  const vtkMTTriangleTree& floorTree, const vtkMTPoint& origin, const vtkMTSimplification& simplification)
+// Finds places on the floor for those of the fragment.
+class Locator
 {
-  const std::size_t points = simplification.Points.size();
-  std::vector<Vector> normals(points, Vector{ 0.0, 0.0, 0.0 });
-  std::vector<unsigned char> wedgeCount(points, 0);
-  for (std::uint32_t p : simplification.WedgePoints)
+public:
+  explicit Locator(const vtkMTAttributeTransfer::Meshes& meshes)
+    : Meshes(meshes)
+    , Floor(meshes.FloorSurface)
+    , Fragment(meshes.FragmentSurface)
+    , Tree(meshes.FloorSurface)
   {
-    wedgeCount[p] = static_cast<unsigned char>(std::min(wedgeCount[p] + 1, 2));
   }
-  for (const vtkMTTriangle& t : simplification.Triangles)
+
+  // For every moved point where on the floor its values are; None for the others.
+  std::vector<Hit> LocateMovedPoints()
   {
-    std::array<std::uint32_t, 3> p;
-    std::array<Vector, 3> x;
-    for (int c = 0; c < 3; ++c)
+    const vtkMTSimplification& mesh = this->Meshes.Simplification;
+    std::vector<unsigned char> wedgeCount(mesh.Points.size(), 0);
+    for (std::uint32_t p : mesh.WedgePoints)
     {
-      p[c] = simplification.WedgePoints[t[c]];
-      x[c] = ToVector(simplification.Points[p[c]], origin);
+      wedgeCount[p] = static_cast<unsigned char>(std::min(wedgeCount[p] + 1, 2));
     }
-    const Vector normal = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
-    for (std::uint32_t point : p)
+    const std::vector<Vector> normals = this->GetPointNormals();
+    std::vector<Hit> hits(mesh.Points.size());
+    for (std::uint32_t p = 0; p < hits.size(); ++p)
     {
-      normals[point] = Add(normals[point], normal);
+      // A seam's point has one set of values per side: the nearest place would know one of them only.
+      if (mesh.Moved[p] && wedgeCount[p] == 1)
+      {
+        const std::uint32_t out = this->Fragment.GetHalfedge(p);
+        hits[p] = this->Find(this->Fragment.GetPlace(out), normals[p], out / 3);
+      }
     }
+    return hits;
   }
-  std::vector<Hit> hits(points);
-  for (std::size_t p = 0; p < points; ++p)
+
+  std::vector<std::uint32_t> LocateTriangles()
   {
-    // A seam's point has one set of values per side: the nearest place would know one of them only.
-    if (simplification.Moved[p] && wedgeCount[p] == 1)
+    std::vector<std::uint32_t> nearest(this->Fragment.GetNumberOfTriangles());
+    for (std::uint32_t t = 0; t < nearest.size(); ++t)
     {
-      hits[p] = FindOnFloor(floorTree, ToVector(simplification.Points[p], origin), normals[p]);
+      const Vector sum =
+        Add(Add(this->Fragment.GetCorner(t, 0), this->Fragment.GetCorner(t, 1)), this->Fragment.GetCorner(t, 2));
+      nearest[t] = this->Find(Scale(sum, 1.0 / 3.0), this->Fragment.GetNormal(t), t).Triangle;
     }
+    return nearest;
   }
-  return hits;
+
+private:
+  std::vector<Vector> GetPointNormals() const
+  {
+    std::vector<Vector> normals(this->Fragment.GetNumberOfPoints(), Vector{ 0.0, 0.0, 0.0 });
+    for (std::uint32_t t = 0; t < this->Fragment.GetNumberOfTriangles(); ++t)
+    {
+      const Vector& corner = this->Fragment.GetCorner(t, 0);
+      const Vector normal =
+        Cross(Subtract(this->Fragment.GetCorner(t, 1), corner), Subtract(this->Fragment.GetCorner(t, 2), corner));
+      for (std::uint32_t c = 0; c < 3; ++c)
+      {
+        Vector& sum = normals[this->Fragment.GetPoint(3 * t + c)];
+        sum = Add(sum, normal);
+      }
+    }
+    return normals;
+  }
+
+  // x is a place on the fragment's triangle.
+  Hit Find(const Vector& x, const Vector& direction, std::uint32_t triangle)
+  {
+    // A step of the lattice more: what is certified as zero is not computed as zero.
+    const double reach = this->Meshes.Findings.Reach[triangle].ToInput + 1.0;
+    const auto isThere = [&](const Hit& hit)
+    { return hit.Distance2 <= reach * reach && Dot(this->Floor.GetNormal(hit.Triangle), direction) > 0.0; };
+    const std::uint32_t guess = this->Meshes.Findings.FloorTriangle[triangle];
+    if (guess != Hit::None)
+    {
+      Hit hit = this->Floor.Project(x, guess);
+      this->Floor.Descend(x, hit);
+      if (isThere(hit))
+      {
+        return hit;
+      }
+    }
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
+    {
+      const std::uint32_t origin = this->Meshes.Simplification.PointOrigin[this->Fragment.GetPoint(h)];
+      const Hit hit = this->Floor.FindAround(x, this->Floor.GetHalfedge(origin));
+      if (isThere(hit))
+      {
+        return hit;
+      }
+    }
+    const Hit facing = this->Tree.FindNearestFacing(x, direction);
+    return facing.Triangle != Hit::None ? facing : this->Tree.FindNearest(x);
+  }
+
+  const vtkMTAttributeTransfer::Meshes& Meshes;
+  const vtkMTSurface& Floor;
+  const vtkMTSurface& Fragment;
+  vtkMTTriangleTree Tree;
+};
 }
 
-std::vector<std::uint32_t> LocateTriangles(
-  const vtkMTTriangleTree& floorTree, const vtkMTPoint& origin, const vtkMTPatch& fragment)
+void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTArrayInfo>& arrays, vtkMTPatch& fragment)
 {
-  std::vector<std::uint32_t> nearest(fragment.Triangles.size());
-  for (std::size_t t = 0; t < nearest.size(); ++t)
-  {
-    const vtkMTTriangle p = fragment.GetPointsOfTriangle(t);
-    const std::array<Vector, 3> x{ ToVector(fragment.Points[p[0]], origin), ToVector(fragment.Points[p[1]], origin),
-      ToVector(fragment.Points[p[2]], origin) };
-    const Vector barycentre = Scale(Add(Add(x[0], x[1]), x[2]), 1.0 / 3.0);
-    const Vector normal = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
-    nearest[t] = FindOnFloor(floorTree, barycentre, normal).Triangle;
-  }
-  return nearest;
-}
-}
-
-void vtkMTAttributeTransfer::Run(const vtkMTPatch& floor, const vtkMTTriangleTree& floorTree, const vtkMTPoint& origin,
-  const vtkMTSimplification& simplification, const std::vector<vtkMTArrayInfo>& arrays, vtkMTPatch& fragment)
-{
+  const vtkMTPatch& floor = meshes.Floor;
+  Locator locator(meshes);
   fragment.PointColumns.assign(floor.PointColumns.size(), {});
   fragment.CellColumns.assign(floor.CellColumns.size(), {});
   std::vector<Hit> hits;
   if (!floor.PointColumns.empty())
   {
-    hits = LocateMovedPoints(floorTree, origin, simplification);
+    hits = locator.LocateMovedPoints();
   }
-  const PointTransfer transfer(floor, hits, simplification);
-  const std::vector<std::uint32_t> nearest = LocateTriangles(floorTree, origin, fragment);
+  const PointTransfer transfer(floor, hits, meshes.Simplification);
+  const std::vector<std::uint32_t> nearest = locator.LocateTriangles();
   std::size_t pointArray = 0;
   std::size_t cellArray = 0;
   for (const vtkMTArrayInfo& info : arrays)

@@ -8,24 +8,36 @@
  * (so that a thin wall's other side is not asked): barycentric for arrays that interpolate, the largest weight's value
  * for those that take the nearest, unit length for directions. A triangle takes all cell values, the input's cell id
  * among them, from the floor's triangle nearest to its barycentre, again one that faces the same way.
+ *
+ * The nearest place is looked for from a triangle of the floor that is known to lie over the fragment's, or from where
+ * its corners came from, by walking to nearer neighbours. All triangles are searched only where that ends on one that
+ * faces the other way, or farther away than the fragment is certified to be.
  */
 #ifndef vtkMTAttributeTransfer_h
 #define vtkMTAttributeTransfer_h
 
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTDeviation.h"
 #include "vtkMTPatch.h"
 
 #include <vector>
 
-class vtkMTTriangleTree;
+class vtkMTSurface;
 struct vtkMTSimplification;
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTAttributeTransfer
 {
-  /// Fills fragment's columns; its points, wedges and triangles are those of the simplification. floorTree was made of
-  /// floor with the given origin.
-  static void Run(const vtkMTPatch& floor, const vtkMTTriangleTree& floorTree, const vtkMTPoint& origin,
-    const vtkMTSimplification& simplification, const std::vector<vtkMTArrayInfo>& arrays, vtkMTPatch& fragment);
+  struct Meshes
+  {
+    const vtkMTPatch& Floor;
+    const vtkMTSurface& FloorSurface;
+    const vtkMTSurface& FragmentSurface;
+    const vtkMTSimplification& Simplification; ///< its points, wedges and triangles are the fragment's
+    const vtkMTDeviation::Findings& Findings;
+  };
+
+  /// Fills fragment's columns.
+  static void Run(const Meshes& meshes, const std::vector<vtkMTArrayInfo>& arrays, vtkMTPatch& fragment);
 };
 
 #endif

@@ -3,15 +3,10 @@
  * @class vtkMTDeviation
  * @brief certified two-sided distance between a floor and its fragment, and through it between fragment and input
  *
- * The distance from a point to one fixed triangle s is convex, so over a convex piece of the plane it is largest at the
- * piece's corners. For every triangle of one mesh the least, over a few triangles s of the other one, of the largest
- * corner distance to s is therefore an upper bound of how far any of its points is from the other mesh. Where that
- * bound is far above the largest true distance seen so far (a lower bound of the result, from points), the triangle is
- * cut into pieces and these are bounded one by one: first along the edges of the triangle nearest to the piece's
- * middle, seen along that triangle's normal, so that pieces come to lie over one triangle each, else in halves. Pieces
- * are cut until their bound is within Share of that lower bound or within Looseness of their own, or the budget of
- * pieces is used up; the result is then still an upper bound. Where a piece lies in the plane of s, which is decided in
- * exact integers, and over s, its distance is exactly zero.
+ * A common subdivision of the two meshes (vtkMTOverlay) bounds nearly all triangles of both at once. Where it does not
+ * exist (borders that were simplified, holes that were closed, components that were left out), and where its bound is
+ * far above the largest true distance seen so far (a lower bound of the result, from points), a triangle is bounded
+ * by itself, by pieces (vtkMTPieceBound).
  *
  * Over levels these bounds add up, triangle by triangle (vtkMTReach): a piece of the fragment over the floor's triangle
  * s is no farther from the input than its bound and what is known of s; the input's points that are near a piece of the
@@ -31,7 +26,7 @@
 #include <cstdint>
 #include <vector>
 
-class vtkMTTriangleTree;
+class vtkMTSurface;
 
 /// What is known of one triangle of a level's mesh, in steps: how far it is from the input, and the input from it.
 struct vtkMTReach
@@ -44,7 +39,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTDeviation
 {
   double UpperBound = 0.0; ///< the largest reach of the fragment's triangles; the floor's own counted, steps
   double LowerBound = 0.0; ///< about what bounds without any looseness would have given, never above UpperBound, steps
-  std::size_t Pieces = 0;  ///< pieces that were looked at beyond whole triangles
+  std::size_t TrianglesByPieces = 0; ///< of both meshes
+  std::size_t Pieces = 0;            ///< pieces that were looked at beyond whole triangles
   bool BudgetUsedUp = false;
 
   /// How far above its own lower bound a piece's bound may stay: 1.1 times.
@@ -54,14 +50,24 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTDeviation
   /// Pieces allowed per triangle of the two meshes together.
   static constexpr std::size_t PiecesPerTriangle = 40;
 
-  /**
-   * Two-sided, of two meshes of which both trees were made with the same origin. Both must have triangles. floorReach:
-   * per triangle of the floor, or empty when the floor is the input; fragmentReach gets one entry per triangle of the
-   * fragment.
-   */
-  static vtkMTDeviation Between(const vtkMTPatch& floor, const vtkMTTriangleTree& floorTree, const vtkMTPatch& fragment,
-    const vtkMTTriangleTree& fragmentTree, const vtkMTPoint& origin, const std::vector<vtkMTReach>& floorReach,
-    std::vector<vtkMTReach>& fragmentReach);
+  /// What a floor and its fragment are to each other, besides two meshes.
+  struct Relation
+  {
+    /// [floor's points] the fragment's point that each was merged into, or None (~0): where to look for it first. Empty
+    /// when nothing is known.
+    std::vector<std::uint32_t> Heirs;
+    std::vector<vtkMTReach> FloorReach; ///< [floor's triangles] empty when the floor is the input
+  };
+  /// What is known of the fragment afterwards.
+  struct Findings
+  {
+    std::vector<vtkMTReach> Reach;            ///< [fragment's triangles]
+    std::vector<std::uint32_t> FloorTriangle; ///< [fragment's triangles] one of the floor that lies over or near it
+  };
+
+  /// Of two meshes with the same origin. Both must have triangles.
+  static vtkMTDeviation Between(
+    const vtkMTSurface& floor, const vtkMTSurface& fragment, const Relation& relation, Findings& findings);
 };
 
 #endif

@@ -7,7 +7,7 @@
 #include "vtkMTDeviation.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTSimplifier.h"
-#include "vtkMTTriangleTree.h"
+#include "vtkMTSurface.h"
 
 #include "vtkType.h"
 
@@ -117,6 +117,10 @@ vtkMTPatch MakeFragment(
   simplification.Points = fragment.Points;
   simplification.PointOrigin = std::move(origin);
   simplification.Moved = std::move(moved);
+  for (std::uint32_t& heir : simplification.Heirs)
+  {
+    heir = heir == vtkMTSimplification::NoHeir ? heir : newIndex[heir];
+  }
   simplification.WedgePoints = wedgePoints;
   simplification.WedgeOrigin = std::move(wedgeOrigin);
   fragment.Triangles = simplification.Triangles;
@@ -196,7 +200,8 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
     patch = vtkMTPatch();
   }
   vtkMTPatch floor = assembler.TakeMesh();
-  const std::vector<vtkMTReach> floorReach = FromColumn(floor.CellColumns.back());
+  vtkMTDeviation::Relation relation;
+  relation.FloorReach = FromColumn(floor.CellColumns.back());
   RemoveReach(floor);
   const std::vector<vtkMTArrayInfo> inputArrays(context.Arrays->begin(), context.Arrays->end() - 1);
   this->FloorTriangles = floor.Triangles.size();
@@ -213,17 +218,18 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
     return false;
   }
   this->Fragment = MakeFragment(simplification, locked, floor);
+  relation.Heirs = std::move(simplification.Heirs);
   const vtkMTPoint origin = GetMiddle(floor);
-  const vtkMTTriangleTree floorTree(floor, origin);
-  const vtkMTTriangleTree fragmentTree(this->Fragment, origin);
-  std::vector<vtkMTReach> reach;
-  this->Error =
-    vtkMTDeviation::Between(floor, floorTree, this->Fragment, fragmentTree, origin, floorReach, reach).UpperBound;
+  const vtkMTSurface floorSurface(floor, origin);
+  const vtkMTSurface fragmentSurface(this->Fragment, origin);
+  vtkMTDeviation::Findings findings;
+  this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
   this->EdgeLength = this->Fragment.GetMeanEdgeLength();
-  this->RoundPoints(reach);
+  this->RoundPoints(findings.Reach);
   simplification.Points = this->Fragment.Points;
-  vtkMTAttributeTransfer::Run(floor, floorTree, origin, simplification, inputArrays, this->Fragment);
-  this->Fragment.CellColumns.push_back(ToColumn(reach));
+  vtkMTAttributeTransfer::Run(
+    { floor, floorSurface, fragmentSurface, simplification, findings }, inputArrays, this->Fragment);
+  this->Fragment.CellColumns.push_back(ToColumn(findings.Reach));
   if (this->Fragment.Triangles.size() > target)
   {
     this->Blocked = std::move(simplification.Blocked);

@@ -45,100 +45,28 @@ double Distance2ToBox(const std::array<double, 6>& box, const Vector& x)
   return sum;
 }
 
-// The nearest point of segment ab, as a parameter from 0 to 1.
-double ProjectOnSegment(const Vector& x, const Vector& a, const Vector& b)
-{
-  const Vector ab = Subtract(b, a);
-  const double length2 = Dot(ab, ab);
-  return length2 > 0.0 ? std::clamp(Dot(Subtract(x, a), ab) / length2, 0.0, 1.0) : 0.0;
 }
 
-// Corners are integers, so the cross product is exact until it is rounded once, however thin the triangle.
-Vector MakeNormal(const std::array<Vector, 3>& corners)
+void vtkMTTriangleTree::Build()
 {
-  using Integer = __int128;
-  std::array<Integer, 3> u;
-  std::array<Integer, 3> v;
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = static_cast<std::int64_t>(corners[1][i] - corners[0][i]);
-    v[i] = static_cast<std::int64_t>(corners[2][i] - corners[0][i]);
-  }
-  const Vector normal{ static_cast<double>(u[1] * v[2] - u[2] * v[1]), static_cast<double>(u[2] * v[0] - u[0] * v[2]),
-    static_cast<double>(u[0] * v[1] - u[1] * v[0]) };
-  const double length = Norm(normal);
-  return length > 0.0 ? Scale(normal, 1.0 / length) : Vector{ 0.0, 0.0, 0.0 };
-}
-}
-
-vtkMTTriangleTree::vtkMTTriangleTree(const vtkMTPatch& mesh, const vtkMTPoint& origin)
-{
-  const std::size_t count = mesh.Triangles.size();
-  this->Triangles.resize(count);
+  const std::size_t count = this->Surface.GetNumberOfTriangles();
   std::vector<Vector> centroids(count);
-  for (std::size_t t = 0; t < count; ++t)
+  for (std::uint32_t t = 0; t < count; ++t)
   {
-    const vtkMTTriangle points = mesh.GetPointsOfTriangle(t);
-    auto& corners = this->Triangles[t].Corners;
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        corners[c][i] = static_cast<double>(mesh.Points[points[c]][i]) - static_cast<double>(origin[i]);
-      }
-    }
-    this->Triangles[t].Normal = MakeNormal(corners);
-    centroids[t] = Add(Add(corners[0], corners[1]), corners[2]); // three times the centroid orders as well
+    // Three times the centroid orders as well.
+    centroids[t] =
+      Add(Add(this->Surface.GetCorner(t, 0), this->Surface.GetCorner(t, 1)), this->Surface.GetCorner(t, 2));
   }
-  this->FindNeighbors(mesh);
   this->Order.resize(count);
   std::iota(this->Order.begin(), this->Order.end(), 0u);
   this->Nodes.reserve(count);
   if (count > 0)
   {
-    this->Build(0, static_cast<std::uint32_t>(count), centroids);
+    this->BuildNode(0, static_cast<std::uint32_t>(count), centroids);
   }
 }
 
-void vtkMTTriangleTree::FindNeighbors(const vtkMTPatch& mesh)
-{
-  struct Side
-  {
-    std::uint64_t Edge;
-    std::uint32_t Index; // 3 triangle + edge
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.Triangles.size());
-  for (std::uint32_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    for (std::uint32_t e = 0; e < 3; ++e)
-    {
-      const std::uint64_t a = p[e];
-      const std::uint64_t b = p[(e + 1) % 3];
-      sides.push_back({ (std::min(a, b) << 32) | std::max(a, b), 3 * t + e });
-    }
-  }
-  std::sort(sides.begin(), sides.end(),
-    [](const Side& a, const Side& b) { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Index < b.Index; });
-  this->Neighbors.assign(sides.size(), None);
-  for (std::size_t i = 0; i < sides.size();)
-  {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].Edge == sides[i].Edge)
-    {
-      ++end;
-    }
-    if (end - i == 2)
-    {
-      this->Neighbors[sides[i].Index] = sides[i + 1].Index / 3;
-      this->Neighbors[sides[i + 1].Index] = sides[i].Index / 3;
-    }
-    i = end;
-  }
-}
-
-void vtkMTTriangleTree::Build(std::uint32_t begin, std::uint32_t end, const std::vector<Vector>& centroids)
+void vtkMTTriangleTree::BuildNode(std::uint32_t begin, std::uint32_t end, const std::vector<Vector>& centroids)
 {
   const std::size_t self = this->Nodes.size();
   this->Nodes.push_back({ EmptyBox(), begin, end - begin });
@@ -146,9 +74,9 @@ void vtkMTTriangleTree::Build(std::uint32_t begin, std::uint32_t end, const std:
   std::array<double, 6> centroidBox = EmptyBox();
   for (std::uint32_t i = begin; i < end; ++i)
   {
-    for (const Vector& corner : this->Triangles[this->Order[i]].Corners)
+    for (int c = 0; c < 3; ++c)
     {
-      Include(box, corner);
+      Include(box, this->Surface.GetCorner(this->Order[i], c));
     }
     Include(centroidBox, centroids[this->Order[i]]);
   }
@@ -163,77 +91,58 @@ void vtkMTTriangleTree::Build(std::uint32_t begin, std::uint32_t end, const std:
     [&centroids, axis](std::uint32_t a, std::uint32_t b)
     { return centroids[a][axis] != centroids[b][axis] ? centroids[a][axis] < centroids[b][axis] : a < b; });
   this->Nodes[self].Count = 0;
-  this->Build(begin, middle, centroids);
+  this->BuildNode(begin, middle, centroids);
   this->Nodes[self].First = static_cast<std::uint32_t>(this->Nodes.size());
-  this->Build(middle, end, centroids);
+  this->BuildNode(middle, end, centroids);
 }
 
-vtkMTTriangleTree::Hit vtkMTTriangleTree::Project(const Vector& x, std::uint32_t triangle) const
+bool vtkMTTriangleTree::IsFacing(const Query& query, std::uint32_t triangle) const
 {
-  const auto& [a, b, c] = this->Triangles[triangle].Corners;
-  const Vector& n = this->Triangles[triangle].Normal;
-  Hit hit;
-  hit.Triangle = triangle;
-  const Vector ax = Subtract(x, a);
-  const Vector ab = Subtract(b, a);
-  const Vector ac = Subtract(c, a);
-  // Areas of the three triangles that x's projection makes with the edges, over that of the whole.
-  const double area = Dot(Cross(ab, ac), n);
-  const double v = Dot(Cross(ax, ac), n);
-  const double w = Dot(Cross(ab, ax), n);
-  const double u = area - v - w;
-  if (area > 0.0 && u >= 0.0 && v >= 0.0 && w >= 0.0)
+  return !query.Direction || Dot(this->Surface.GetNormal(triangle), *query.Direction) > 0.0;
+}
+
+void vtkMTTriangleTree::Look(Query& query, std::uint32_t triangle) const
+{
+  if (!this->IsFacing(query, triangle))
   {
-    hit.Weights = { u / area, v / area, w / area };
-    const double height = Dot(ax, n);
-    hit.Place = Subtract(x, Scale(n, height));
-    hit.Distance2 = height * height;
-    return hit;
+    return;
   }
-  const std::array<const Vector*, 3> corners{ &a, &b, &c };
-  for (int e = 0; e < 3; ++e)
+  const double distance2 = this->Surface.GetDistance2(query.Place, triangle, query.Best2);
+  if (distance2 < query.Best2)
   {
-    const Vector& p = *corners[e];
-    const Vector& q = *corners[(e + 1) % 3];
-    const double t = ProjectOnSegment(x, p, q);
-    const Vector place = Lerp(p, q, t);
-    const Vector difference = Subtract(x, place);
-    const double distance2 = Dot(difference, difference);
-    if (distance2 < hit.Distance2)
+    query.Best2 = distance2;
+    query.Best = triangle;
+  }
+}
+
+vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* direction, std::uint32_t guess)
+{
+  Query query{ x, direction, None, std::numeric_limits<double>::infinity() };
+  if (guess != None)
+  {
+    this->Look(query, guess);
+  }
+  if (this->Queries < QueriesWithoutTree)
+  {
+    ++this->Queries;
+    for (std::uint32_t t = 0; t < this->Surface.GetNumberOfTriangles(); ++t)
     {
-      hit.Distance2 = distance2;
-      hit.Place = place;
-      hit.Weights = { 0.0, 0.0, 0.0 };
-      hit.Weights[e] = 1.0 - t;
-      hit.Weights[(e + 1) % 3] = t;
+      this->Look(query, t);
     }
   }
-  return hit;
+  else
+  {
+    if (this->Nodes.empty())
+    {
+      this->Build();
+    }
+    this->Traverse(query);
+  }
+  return query.Best == None ? Hit() : this->Surface.Project(x, query.Best);
 }
 
-double vtkMTTriangleTree::GetDistance2(const Vector& x, std::uint32_t triangle, double limit) const
+void vtkMTTriangleTree::Traverse(Query& query) const
 {
-  const Triangle& t = this->Triangles[triangle];
-  const Vector ax = Subtract(x, t.Corners[0]);
-  const double height = Dot(ax, t.Normal);
-  if (height * height >= limit)
-  {
-    return std::numeric_limits<double>::infinity(); // the plane alone is too far
-  }
-  return this->Project(x, triangle).Distance2;
-}
-
-vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* direction, std::uint32_t guess) const
-{
-  const auto isFacing = [this, direction](std::uint32_t triangle)
-  { return !direction || Dot(this->Triangles[triangle].Normal, *direction) > 0.0; };
-  double best2 = std::numeric_limits<double>::infinity();
-  std::uint32_t best = None;
-  if (guess != None && isFacing(guess))
-  {
-    best = guess;
-    best2 = this->Project(x, guess).Distance2;
-  }
   struct Entry
   {
     std::uint32_t Node;
@@ -243,33 +152,26 @@ vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* di
   std::size_t size = 0;
   if (!this->Nodes.empty())
   {
-    stack[size++] = { 0, Distance2ToBox(this->Nodes[0].Box, x) };
+    stack[size++] = { 0, Distance2ToBox(this->Nodes[0].Box, query.Place) };
   }
   while (size > 0)
   {
     const Entry entry = stack[--size];
-    if (entry.Distance2 >= best2)
+    if (entry.Distance2 >= query.Best2)
     {
       continue;
     }
     const Node& node = this->Nodes[entry.Node];
     for (std::uint32_t i = node.First; i < node.First + node.Count; ++i)
     {
-      const std::uint32_t triangle = this->Order[i];
-      const double distance2 =
-        isFacing(triangle) ? this->GetDistance2(x, triangle, best2) : std::numeric_limits<double>::infinity();
-      if (distance2 < best2)
-      {
-        best2 = distance2;
-        best = triangle;
-      }
+      this->Look(query, this->Order[i]);
     }
     if (node.Count > 0)
     {
       continue;
     }
-    Entry near{ entry.Node + 1, Distance2ToBox(this->Nodes[entry.Node + 1].Box, x) };
-    Entry far{ node.First, Distance2ToBox(this->Nodes[node.First].Box, x) };
+    Entry near{ entry.Node + 1, Distance2ToBox(this->Nodes[entry.Node + 1].Box, query.Place) };
+    Entry far{ node.First, Distance2ToBox(this->Nodes[node.First].Box, query.Place) };
     if (far.Distance2 < near.Distance2)
     {
       std::swap(near, far);
@@ -277,5 +179,4 @@ vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* di
     stack[size++] = far;
     stack[size++] = near;
   }
-  return best == None ? Hit() : this->Project(x, best);
 }

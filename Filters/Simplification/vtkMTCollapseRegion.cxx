@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 vtkMTCollapseRegion::vtkMTCollapseRegion(const vtkMTPatch& floor, const vtkMTFanMesh& fans)
   : Floor(floor)
@@ -123,6 +124,8 @@ void vtkMTCollapseRegion::LinkBorders(const vtkMTFanMesh& fans, const std::vecto
 void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges)
 {
   this->States.resize(fans.GetNumberOfVertices());
+  this->Parents.resize(this->Floor.Points.size());
+  std::iota(this->Parents.begin(), this->Parents.end(), 0u);
   this->Marks.assign(fans.GetNumberOfVertices(), 0);
   for (std::uint32_t v = 0; v < fans.GetNumberOfVertices(); ++v)
   {
@@ -167,6 +170,8 @@ void vtkMTCollapseRegion::BeginCollapse(Halfedge h, const Point& place)
 {
   const bool first = this->KeepsFirst(h, this->GetRule(h), place);
   this->Surviving = this->GetState(first ? this->Surface.source(h) : this->Surface.target(h));
+  const VertexState& removed = this->GetState(first ? this->Surface.target(h) : this->Surface.source(h));
+  this->Parents[removed.Point] = this->Surviving.Point;
   this->Faces -= (this->Surface.is_border(h) ? 0 : 1) + (this->Surface.is_border(this->Surface.opposite(h)) ? 0 : 1);
   if (this->Seams)
   {
@@ -285,5 +290,21 @@ void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
       h = this->Surface.next(h);
     }
     result.Triangles.push_back(triangle);
+  }  this->ExtractHeirs(pointMap, result);
+}
+
+void vtkMTCollapseRegion::ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const
+{
+  std::vector<std::uint32_t> parents = this->Parents;
+  result.Heirs.resize(parents.size());
+  for (std::uint32_t p = 0; p < parents.size(); ++p)
+  {
+    std::uint32_t root = p;
+    while (parents[root] != root)
+    {
+      parents[root] = parents[parents[root]];
+      root = parents[root];
+    }
+    result.Heirs[p] = pointMap[root]; // None where no triangle uses it
   }
 }

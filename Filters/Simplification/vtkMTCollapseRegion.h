@@ -198,12 +198,14 @@ private:
   void SaveCorner(Halfedge out, std::uint32_t apex);
   void RestoreCorners(Vertex kept);
   vtkMTPoint ToLattice(const Point& p) const;
+  void ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const;
 
   const vtkMTPatch& Floor;
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 };
   double Scale = 1.0;                        // lattice steps per unit here, a power of two
   double Magic = 0.0;                        // adding and subtracting it rounds to the lattice
   std::vector<std::uint32_t> HalfedgeWedges; // [half-edges] when there are seams
+  std::vector<std::uint32_t> Parents;        // [the floor's points] what each has been merged into, or itself
   VertexState Surviving;
   std::vector<SavedCorner> Saved;
   mutable std::vector<std::uint32_t> Marks; // [vertices] the neighbours of a vertex carry the present mark

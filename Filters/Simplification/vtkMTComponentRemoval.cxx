@@ -95,7 +95,11 @@ void Compact(vtkMTSimplification& mesh)
   std::uint32_t points = 0;
   for (std::size_t p = 0; p < pointMap.size(); ++p)
   {
-    if (pointMap[p])
+    if (!pointMap[p])
+    {
+      pointMap[p] = vtkMTSimplification::NoHeir;
+    }
+    else
     {
       mesh.Points[points] = mesh.Points[p];
       mesh.PointOrigin[points] = mesh.PointOrigin[p];
@@ -106,6 +110,10 @@ void Compact(vtkMTSimplification& mesh)
   mesh.Points.resize(points);
   mesh.PointOrigin.resize(points);
   mesh.Moved.resize(points);
+  for (std::uint32_t& heir : mesh.Heirs)
+  {
+    heir = heir == vtkMTSimplification::NoHeir ? heir : pointMap[heir];
+  }
   std::uint32_t wedges = 0;
   for (std::size_t w = 0; w < wedgeMap.size(); ++w)
   {

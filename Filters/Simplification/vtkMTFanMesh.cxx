@@ -17,7 +17,7 @@ bool vtkMTFanMesh::Build(const vtkMTPatch& floor, const std::vector<unsigned cha
     return false;
   }
   // Until the fans are known, Vertex holds points.
-  this->PairEdges(floor.Points.size());
+  this->Opposite = vtkMTHalfedgePairs::Find(this->Vertex);
   this->SplitIntoFans(floor.Points.size(), locked);
   if (!floor.WedgePoints.empty())
   {
@@ -62,58 +62,7 @@ bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
   return true;
 }
 
-// Edges between the same two points come together by a counting sort on the smaller point and a small sort on the
-// larger one.
-void vtkMTFanMesh::PairEdges(std::size_t points)
-{
-  const auto corners = static_cast<std::uint32_t>(this->Vertex.size());
-  this->Opposite.assign(corners, None);
-  std::vector<std::uint32_t> first(points + 1, 0);
-  for (std::uint32_t c = 0; c < corners; ++c)
-  {
-    ++first[std::min(this->Vertex[c], this->Vertex[Next(c)]) + 1];
-  }
-  for (std::size_t p = 0; p < points; ++p)
-  {
-    first[p + 1] += first[p];
-  }
-  struct Entry
-  {
-    std::uint32_t Far;
-    std::uint32_t Edge;
-    bool operator<(const Entry& other) const
-    {
-      return this->Far != other.Far ? this->Far < other.Far : this->Edge < other.Edge;
-    }
-  };
-  std::vector<Entry> sorted(corners);
-  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
-  for (std::uint32_t c = 0; c < corners; ++c)
-  {
-    const std::uint32_t a = this->Vertex[c];
-    const std::uint32_t b = this->Vertex[Next(c)];
-    sorted[fill[std::min(a, b)]++] = { std::max(a, b), c };
-  }
-  std::vector<std::uint32_t> equal;
-  for (std::size_t p = 0; p < points; ++p)
-  {
-    const auto begin = sorted.begin() + first[p];
-    const auto end = sorted.begin() + first[p + 1];
-    std::sort(begin, end);
-    for (auto i = begin; i != end;)
-    {
-      equal.clear();
-      const std::uint32_t far = i->Far;
-      for (; i != end && i->Far == far; ++i)
-      {
-        equal.push_back(i->Edge);
-      }
-      this->PairEqual(equal);
-    }
-  }
-}
-
-// Pairs edges that join the same two points (or vertices) when they are two, opposite, and not of twin triangles.
+// Pairs edges that join the same two vertices when they are two, opposite, and not of twin triangles.
 void vtkMTFanMesh::PairEqual(std::vector<std::uint32_t>& edges)
 {
   if (edges.size() != 2)

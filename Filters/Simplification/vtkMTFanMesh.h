@@ -19,6 +19,7 @@
 #ifndef vtkMTFanMesh_h
 #define vtkMTFanMesh_h
 
+#include "vtkMTHalfedgePairs.h"
 #include "vtkMTPatch.h"
 
 #include <cstdint>
@@ -47,15 +48,14 @@ public:
   std::size_t GetNumberOfTriangles() const { return this->Vertex.size() / 3; }
   std::size_t GetNumberOfVertices() const { return this->Point.size(); }
 
-  static std::uint32_t Next(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-  static std::uint32_t Previous(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+  static std::uint32_t Next(std::uint32_t corner) { return vtkMTHalfedgePairs::Next(corner); }
+  static std::uint32_t Previous(std::uint32_t corner) { return vtkMTHalfedgePairs::Previous(corner); }
 
   /// False, with the reason, when an index is out of range.
   bool Build(const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::string& error);
 
 private:
   bool TakeTriangles(const vtkMTPatch& floor, std::string& error);
-  void PairEdges(std::size_t points);
   void PairEqual(std::vector<std::uint32_t>& edges);
   void SplitIntoFans(std::size_t points, const std::vector<unsigned char>& locked);
   void WalkFan(std::uint32_t corner, std::uint32_t vertex, std::vector<std::uint32_t>& vertexOfCorner) const;

@@ -31,11 +31,16 @@ struct VTKMTSIMPLIFICATION_EXPORT vtkMTSimplification
   /// only.
   std::vector<std::uint32_t> WedgeOrigin;
   std::vector<vtkMTTriangle> Triangles; ///< [t] of wedge indices
+  /// [the floor's points] the fragment's point that each has been merged into, NoHeir where nothing is left of it. A
+  /// guess of what lies where, for those who compare the two meshes; empty when the simplifier does not know.
+  std::vector<std::uint32_t> Heirs;
   /// When the target was not reached: edges left that could not be collapsed, by cause ("locked", "non_manifold",
   /// "seam", "topology", "fold", "chord", "steps"), and triangles of components that were left out
   /// ("component_triangles").
   std::map<std::string, std::int64_t> Blocked;
   std::int64_t RemovedComponents = 0; ///< whole components left out because the target could not be reached with them
+
+  static constexpr std::uint32_t NoHeir = ~std::uint32_t(0);
 };
 
 class VTKMTSIMPLIFICATION_EXPORT vtkMTSimplifier : public vtkObject

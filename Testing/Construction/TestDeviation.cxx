@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTDeviation.h"
+#include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -53,8 +54,8 @@ vtkMTPatch MakeGrid(int n, int size, const Height& height, bool otherDiagonal = 
 vtkMTDeviation GetDeviation(const vtkMTPatch& a, const vtkMTPatch& b)
 {
   const vtkMTPoint origin{ 0, 0, 0 };
-  std::vector<vtkMTReach> reach;
-  return vtkMTDeviation::Between(a, vtkMTTriangleTree(a, origin), b, vtkMTTriangleTree(b, origin), origin, {}, reach);
+  vtkMTDeviation::Findings findings;
+  return vtkMTDeviation::Between(vtkMTSurface(a, origin), vtkMTSurface(b, origin), {}, findings);
 }
 
 // Distance from a point to a triangle by a method of its own: minimise over a fine barycentric grid, then over finer
@@ -98,8 +99,9 @@ double SampleDistance(const vtkMTPatch& a, const vtkMTPatch& b, int samplesPerTr
 {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  const vtkMTTriangleTree treeOfA(a, { 0, 0, 0 });
-  const vtkMTTriangleTree treeOfB(b, { 0, 0, 0 });
+  const vtkMTSurface surface(a, { 0, 0, 0 });
+  const vtkMTSurface other(b, { 0, 0, 0 });
+  vtkMTTriangleTree tree(other);
   double largest = 0.0;
   for (std::uint32_t t = 0; t < a.Triangles.size(); ++t)
   {
@@ -116,9 +118,9 @@ double SampleDistance(const vtkMTPatch& a, const vtkMTPatch& b, int samplesPerTr
       for (int k = 0; k < 3; ++k)
       {
         x[k] =
-          treeOfA.GetCorner(t, 0)[k] * (1 - u - v) + treeOfA.GetCorner(t, 1)[k] * u + treeOfA.GetCorner(t, 2)[k] * v;
+          surface.GetCorner(t, 0)[k] * (1 - u - v) + surface.GetCorner(t, 1)[k] * u + surface.GetCorner(t, 2)[k] * v;
       }
-      largest = std::max(largest, std::sqrt(treeOfB.FindNearest(x).Distance2));
+      largest = std::max(largest, std::sqrt(tree.FindNearest(x).Distance2));
     }
   }
   return largest;
@@ -130,7 +132,7 @@ double Hills(double x, double y)
 }
 }
 
-TEST(TriangleTree, ProjectionAgreesWithSlowSearch)
+TEST(Surface, ProjectionAgreesWithSlowSearch)
 {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> coordinate(-1000, 1000);
@@ -147,10 +149,10 @@ TEST(TriangleTree, ProjectionAgreesWithSlowSearch)
       mesh.Points[2] = mesh.Points[i % 20 == 0 ? 0 : 1]; // degenerate ones too
     }
     mesh.Triangles.push_back({ 0, 1, 2 });
-    const vtkMTTriangleTree tree(mesh, { 0, 0, 0 });
+    const vtkMTSurface surface(mesh, { 0, 0, 0 });
     const Vector x{ coordinate(random) * 1.5, coordinate(random) * 1.5, coordinate(random) * 1.5 };
-    const double slow = SlowDistance(x, { tree.GetCorner(0, 0), tree.GetCorner(0, 1), tree.GetCorner(0, 2) });
-    const vtkMTTriangleTree::Hit hit = tree.Project(x, 0);
+    const double slow = SlowDistance(x, { surface.GetCorner(0, 0), surface.GetCorner(0, 1), surface.GetCorner(0, 2) });
+    const vtkMTSurface::Hit hit = surface.Project(x, 0);
     EXPECT_NEAR(std::sqrt(hit.Distance2), slow, 1e-3 * (1.0 + slow));
     worst = std::max(worst, std::abs(std::sqrt(hit.Distance2) - slow));
     EXPECT_NEAR(hit.Weights[0] + hit.Weights[1] + hit.Weights[2], 1.0, 1e-12);
@@ -161,7 +163,8 @@ TEST(TriangleTree, ProjectionAgreesWithSlowSearch)
 TEST(TriangleTree, NearestIsTheLeastOverAllTriangles)
 {
   const vtkMTPatch mesh = MakeGrid(12, 12000, Hills);
-  const vtkMTTriangleTree tree(mesh, { 0, 0, 0 });
+  const vtkMTSurface surface(mesh, { 0, 0, 0 });
+  vtkMTTriangleTree tree(surface);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> coordinate(-3000.0, 15000.0);
   for (int i = 0; i < 500; ++i)
@@ -170,7 +173,7 @@ TEST(TriangleTree, NearestIsTheLeastOverAllTriangles)
     double nearest = 1e300;
     for (std::uint32_t t = 0; t < mesh.Triangles.size(); ++t)
     {
-      nearest = std::min(nearest, tree.Project(x, t).Distance2);
+      nearest = std::min(nearest, surface.Project(x, t).Distance2);
     }
     EXPECT_EQ(tree.FindNearest(x).Distance2, nearest);
   }

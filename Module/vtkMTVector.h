@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The few operations on three doubles that the construction needs; private to this module.
+// The few operations on three doubles that the filters need; not installed.
 #ifndef vtkMTVector_h
 #define vtkMTVector_h
 

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPieceBound.h"
+
+#include "vtkMTDeviation.h"
+#include "vtkMTVector.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkMTVector;
+
+namespace
+{
+constexpr int MaximumDepth = 48;
+
+std::uint32_t GetTriangle(std::uint32_t halfedge)
+{
+  return halfedge == vtkMTSurface::None ? halfedge : halfedge / 3;
+}
+}
+
+vtkMTPieceBound::vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& to, double slack, vtkMTDeviation& result)
+  : Before(from.GetNumberOfTriangles(), 0.0f)
+  , After(to.GetNumberOfTriangles(), 0.0f)
+  , From(from)
+  , To(to)
+  , Tree(to)
+  , Slack(slack)
+  , Result(result)
+  , BoundOfTriangle(from.GetNumberOfTriangles(), 0.0)
+  , BoundOnTriangle(to.GetNumberOfTriangles(), 0.0)
+{
+}
+
+Vector vtkMTPieceBound::Piece::GetMiddle() const
+{
+  Vector sum{ 0.0, 0.0, 0.0 };
+  for (int i = 0; i < this->Count; ++i)
+  {
+    sum = Add(sum, this->Corners[i]);
+  }
+  return Scale(sum, 1.0 / this->Count);
+}
+
+// Splits a convex piece by the plane through `on` with normal `normal` into what lies on the normal's side and the
+// rest. False when the plane leaves it whole, but for slivers thinner than `thin` (then only one of the two has
+// corners).
+bool vtkMTPieceBound::Split(
+  const Piece& piece, const Vector& on, const Vector& normal, double thin, Piece& inside, Piece& outside)
+{
+  inside = Piece{ {}, 0, piece.Depth + 1, piece.Triangle };
+  outside = inside;
+  std::array<double, Piece::Capacity> side;
+  bool anyIn = false;
+  bool anyOut = false;
+  const double tolerance = thin * Norm(normal);
+  for (int i = 0; i < piece.Count; ++i)
+  {
+    side[i] = Dot(Subtract(piece.Corners[i], on), normal);
+    anyIn = anyIn || side[i] > tolerance;
+    anyOut = anyOut || side[i] < -tolerance;
+  }
+  if (!anyIn || !anyOut || piece.Count + 1 > Piece::Capacity)
+  {
+    (anyOut ? outside : inside) = piece;
+    return false;
+  }
+  for (int i = 0; i < piece.Count; ++i)
+  {
+    const int j = (i + 1) % piece.Count;
+    if (side[i] >= 0.0)
+    {
+      inside.Append(piece.Corners[i]);
+    }
+    if (side[i] <= 0.0)
+    {
+      outside.Append(piece.Corners[i]);
+    }
+    if ((side[i] > 0.0 && side[j] < 0.0) || (side[i] < 0.0 && side[j] > 0.0))
+    {
+      const Vector cut = Lerp(piece.Corners[i], piece.Corners[j], side[i] / (side[i] - side[j]));
+      inside.Append(cut);
+      outside.Append(cut);
+    }
+  }
+  return true;
+}
+
+// Across its longest side or diagonal.
+bool vtkMTPieceBound::Halve(const Piece& piece, double thin, Piece& one, Piece& other)
+{
+  double longest = 0.0;
+  int from = 0;
+  int to = 0;
+  for (int i = 0; i < piece.Count; ++i)
+  {
+    for (int j = i + 1; j < piece.Count; ++j)
+    {
+      const Vector d = Subtract(piece.Corners[j], piece.Corners[i]);
+      if (Dot(d, d) > longest)
+      {
+        longest = Dot(d, d);
+        from = i;
+        to = j;
+      }
+    }
+  }
+  const Vector direction = Subtract(piece.Corners[to], piece.Corners[from]);
+  return longest > 0.0 && Split(piece, Lerp(piece.Corners[from], piece.Corners[to], 0.5), direction, thin, one, other);
+}
+
+// Whether all corners of triangle t lie in the plane of triangle s, exactly: coordinates are integers below 2^33.
+bool vtkMTPieceBound::IsCoplanar(std::uint32_t t, std::uint32_t s) const
+{
+  using Integer = __int128;
+  const auto difference = [](const Vector& a, const Vector& b)
+  {
+    return std::array<Integer, 3>{ static_cast<std::int64_t>(a[0] - b[0]), static_cast<std::int64_t>(a[1] - b[1]),
+      static_cast<std::int64_t>(a[2] - b[2]) };
+  };
+  const Vector& origin = this->To.GetCorner(s, 0);
+  const auto u = difference(this->To.GetCorner(s, 1), origin);
+  const auto v = difference(this->To.GetCorner(s, 2), origin);
+  const std::array<Integer, 3> normal{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+    u[0] * v[1] - u[1] * v[0] };
+  for (int c = 0; c < 3; ++c)
+  {
+    const auto w = difference(this->From.GetCorner(t, c), origin);
+    if (w[0] * normal[0] + w[1] * normal[1] + w[2] * normal[2] != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint32_t& guess)
+{
+  const auto getTruth = [&](const vtkMTSurface::Hit& hit)
+  {
+    // What rounding may have added must not raise the lower bound.
+    return std::max(0.0, std::sqrt(hit.Distance2) - this->Slack) + this->Before[triangle] + this->After[hit.Triangle];
+  };
+  vtkMTSurface::Hit hit;
+  if (guess != None)
+  {
+    hit = this->To.Project(x, guess);
+    this->To.Descend(x, hit);
+  }
+  // Walking down may end in a place that is not the nearest: only the nearest one may raise the lower bound.
+  if (guess == None || getTruth(hit) > this->Result.LowerBound)
+  {
+    hit = this->Tree.FindNearest(x, guess == None ? None : hit.Triangle);
+    this->Result.LowerBound = std::max(this->Result.LowerBound, getTruth(hit));
+  }
+  guess = hit.Triangle;
+  return getTruth(hit);
+}
+
+bool vtkMTPieceBound::IsNearEnough(double bound, double trueHere) const
+{
+  return bound <= std::max({ vtkMTDeviation::Share * this->Result.LowerBound, vtkMTDeviation::Looseness * trueHere,
+                    2.0 * this->Slack });
+}
+
+void vtkMTPieceBound::Credit(std::uint32_t from, std::uint32_t to, double bound)
+{
+  this->BoundOfTriangle[from] = std::max(this->BoundOfTriangle[from], bound);
+  this->BoundOnTriangle[to] = std::max(this->BoundOnTriangle[to], bound);
+  this->Result.UpperBound = std::max(this->Result.UpperBound, bound);
+}
+
+double vtkMTPieceBound::Raise(double distance, std::uint32_t t, std::uint32_t s) const
+{
+  const bool isZero = distance <= this->Slack && this->IsCoplanar(t, s);
+  return isZero ? 0.0 : distance + this->Slack;
+}
+
+void vtkMTPieceBound::Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget)
+{
+  Piece piece;
+  piece.Triangle = triangle;
+  for (int c = 0; c < 3; ++c)
+  {
+    piece.Append(this->From.GetCorner(triangle, c));
+  }
+  Entry whole{ piece, Match(), None, false };
+  for (int c = 0; c < 3 && !this->IsNearEnough(whole.Best.Bound); ++c)
+  {
+    if (guesses[c] != None)
+    {
+      this->Improve(whole, guesses[c]);
+    }
+  }
+  if (whole.Best.Triangle == None)
+  {
+    std::uint32_t nearest = None;
+    this->Visit(piece.Corners[0], triangle, nearest);
+    this->Improve(whole, nearest);
+  }
+  if (!this->Accept(whole, 0.0))
+  {
+    whole.Guess = whole.Best.Triangle;
+    this->BoundPieces(whole, budget);
+  }
+}
+
+// Holds the piece against one triangle: its largest corner distance.
+void vtkMTPieceBound::Improve(Entry& entry, std::uint32_t s) const
+{
+  const Piece& piece = entry.Shape;
+  const double added = static_cast<double>(this->Before[piece.Triangle]) + this->After[s];
+  const double limit = entry.Best.Bound - added;
+  if (!(limit > 0.0))
+  {
+    return;
+  }
+  double distance2 = 0.0;
+  for (int i = 0; i < piece.Count && distance2 < limit * limit; ++i)
+  {
+    distance2 = std::max(distance2, this->To.GetDistance2(piece.Corners[i], s, limit * limit));
+  }
+  const double bound = added + this->Raise(std::sqrt(distance2), piece.Triangle, s);
+  if (bound < entry.Best.Bound)
+  {
+    entry.Best = { bound, s };
+  }
+}
+
+bool vtkMTPieceBound::Accept(const Entry& entry, double trueHere)
+{
+  if (!this->IsNearEnough(entry.Best.Bound, trueHere))
+  {
+    return false;
+  }
+  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound);
+  return true;
+}
+
+void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
+{
+  this->Stack.assign(1, whole);
+  while (!this->Stack.empty())
+  {
+    const Entry entry = this->Stack.back();
+    this->Stack.pop_back();
+    if (budget == 0 || entry.Shape.Depth >= MaximumDepth)
+    {
+      this->Result.BudgetUsedUp = true;
+      this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound);
+      continue;
+    }
+    --budget;
+    ++this->Result.Pieces;
+    this->BoundPiece(entry);
+  }
+}
+
+void vtkMTPieceBound::BoundPiece(Entry entry)
+{
+  double trueHere = 0.0;
+  if (entry.Guess == vtkMTTriangleTree::None)
+  {
+    trueHere = this->Visit(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
+    entry.IsNearest = true;
+  }
+  this->Improve(entry, entry.Guess);
+  if (this->Accept(entry, trueHere) || this->CutAlong(entry))
+  {
+    return;
+  }
+  if (!entry.IsNearest)
+  {
+    trueHere = this->Visit(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
+    entry.IsNearest = true;
+    this->Improve(entry, entry.Guess);
+    if (this->Accept(entry, trueHere) || this->CutAlong(entry))
+    {
+      return;
+    }
+  }
+  this->CutInHalves(entry);
+}
+
+// Cuts the piece along the edges of the guessed triangle, seen along its normal. What lies outside an edge belongs to
+// the triangle behind that edge, as a guess. False when the piece is not partly over the triangle, or has too many
+// corners.
+bool vtkMTPieceBound::CutAlong(const Entry& entry)
+{
+  const Vector& normal = this->To.GetNormal(entry.Guess);
+  if (!(Dot(normal, normal) > 0.0) || entry.Shape.Count + 3 > Piece::Capacity)
+  {
+    return false;
+  }
+  const std::size_t before = this->Stack.size();
+  Piece rest = entry.Shape;
+  for (int e = 0; e < 3; ++e)
+  {
+    const Vector& a = this->To.GetCorner(entry.Guess, e);
+    const Vector inward = Cross(normal, Subtract(this->To.GetCorner(entry.Guess, (e + 1) % 3), a));
+    Piece inside;
+    Piece outside;
+    if (Split(rest, a, inward, this->Slack, inside, outside))
+    {
+      this->Stack.push_back({ outside, entry.Best, GetTriangle(this->To.GetOpposite(3 * entry.Guess + e)), false });
+      rest = inside;
+    }
+    else if (inside.Count == 0)
+    {
+      this->Stack.resize(before); // nothing of it is over the triangle
+      return false;
+    }
+  }
+  if (this->Stack.size() == before)
+  {
+    return false; // all of it is
+  }
+  this->Stack.push_back({ rest, entry.Best, entry.Guess, false });
+  return true;
+}
+
+void vtkMTPieceBound::CutInHalves(const Entry& entry)
+{
+  double trueHere = 0.0;
+  for (int i = 0; i < entry.Shape.Count; ++i)
+  {
+    std::uint32_t guess = entry.Guess;
+    trueHere = std::max(trueHere, this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, guess));
+  }
+  Piece one;
+  Piece other;
+  if (this->Accept(entry, trueHere))
+  {
+    return;
+  }
+  if (Halve(entry.Shape, this->Slack, one, other))
+  {
+    this->Stack.push_back({ one, entry.Best, entry.Guess, false });
+    this->Stack.push_back({ other, entry.Best, entry.Guess, false });
+    return;
+  }
+  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound); // too small to be cut
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTPieceBound
+ * @brief how far single triangles of one mesh can be from another mesh, by cutting them into pieces
+ *
+ * The distance from a point to one fixed triangle s is convex, so over a convex piece of the plane it is largest at the
+ * piece's corners: the largest corner distance to s is an upper bound of how far any point of the piece is from the
+ * other mesh. A triangle is held against one triangle of the other mesh after the other, and where the least bound is
+ * far above the largest true distance seen so far (a lower bound of the result, from points), it is cut into pieces and
+ * these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along that
+ * triangle's normal, so that pieces come to lie over one triangle each, else in halves. Pieces are cut until their
+ * bound is within Share of that lower bound or within Looseness of their own, or the budget of pieces is used up; the
+ * result is then still an upper bound. Where a piece lies in the plane of s, which is decided in exact integers, and
+ * over s, its distance is exactly zero.
+ *
+ * What is known of either side's triangles already is added to a distance: `Before` of the triangle itself, `After` of
+ * the one that it is held against.
+ */
+#ifndef vtkMTPieceBound_h
+#define vtkMTPieceBound_h
+
+#include "vtkMTSurface.h"
+#include "vtkMTTriangleTree.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+struct vtkMTDeviation;
+
+class vtkMTPieceBound
+{
+public:
+  using Vector = vtkMTSurface::Vector;
+  static constexpr std::uint32_t None = vtkMTSurface::None;
+
+  /// Distances above zero are raised by slack, in steps. The bounds go to result as well.
+  vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& to, double slack, vtkMTDeviation& result);
+
+  std::vector<float> Before; ///< [from's triangles]
+  std::vector<float> After;  ///< [to's triangles]
+
+  /// The triangle nearest to x; guess is one to begin with, or None.
+  vtkMTSurface::Hit FindNearest(const Vector& x, std::uint32_t guess) { return this->Tree.FindNearest(x, guess); }
+  /// Makes guess (or None) a triangle near x, a place on `triangle`, and gives what is known by it; where that is above
+  /// the lower bound, the nearest triangle, and raises the lower bound to what is true.
+  double Visit(const Vector& x, std::uint32_t triangle, std::uint32_t& guess);
+  /// Whether a bound need not be improved.
+  bool IsNearEnough(double bound, double trueHere = 0.0) const;
+  /// Notes that part of a triangle is within a bound, Before and After counted, of another one.
+  void Credit(std::uint32_t from, std::uint32_t to, double bound);
+  /// Distance of a convex shape inside triangle t from triangle s, from its largest corner distance: zero where both
+  /// are in one plane, else rounded up.
+  double Raise(double distance, std::uint32_t t, std::uint32_t s) const;
+  /// Bounds and credits a triangle by pieces; guesses are triangles (or None) to begin with.
+  void Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget);
+
+  ///@{
+  /// The largest bound that was credited to each triangle.
+  const std::vector<double>& GetBoundOfTriangle() const { return this->BoundOfTriangle; }
+  const std::vector<double>& GetBoundOnTriangle() const { return this->BoundOnTriangle; }
+  ///@}
+
+private:
+  // A convex polygon inside one triangle. A cut adds at most one corner to either part.
+  struct Piece
+  {
+    static constexpr int Capacity = 16;
+    std::array<Vector, Capacity> Corners;
+    int Count = 0;
+    int Depth = 0;
+    std::uint32_t Triangle = 0;
+
+    void Append(const Vector& x) { this->Corners[this->Count++] = x; }
+    Vector GetMiddle() const;
+  };
+  // What a triangle of the other mesh gives for a piece.
+  struct Match
+  {
+    double Bound = std::numeric_limits<double>::infinity();
+    std::uint32_t Triangle = None;
+  };
+  struct Entry
+  {
+    Piece Shape;
+    Match Best;          // a part is within its whole's bound
+    std::uint32_t Guess; // a triangle of the other mesh that may lie below
+    bool IsNearest;      // the guess is the triangle nearest to the piece's middle
+  };
+
+  static bool Split(
+    const Piece& piece, const Vector& on, const Vector& normal, double thin, Piece& inside, Piece& outside);
+  static bool Halve(const Piece& piece, double thin, Piece& one, Piece& other);
+  bool IsCoplanar(std::uint32_t t, std::uint32_t s) const;
+  void Improve(Entry& entry, std::uint32_t s) const;
+  bool Accept(const Entry& entry, double trueHere);
+  void BoundPieces(const Entry& whole, std::size_t& budget);
+  void BoundPiece(Entry entry);
+  bool CutAlong(const Entry& entry);
+  void CutInHalves(const Entry& entry);
+
+  const vtkMTSurface& From;
+  const vtkMTSurface& To;
+  vtkMTTriangleTree Tree; // of To
+  const double Slack;
+  vtkMTDeviation& Result;
+  std::vector<double> BoundOfTriangle;
+  std::vector<double> BoundOnTriangle;
+  std::vector<Entry> Stack;
+};
+
+#endif
