@@ -290,7 +290,8 @@ void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
       h = this->Surface.next(h);
     }
     result.Triangles.push_back(triangle);
-  }  this->ExtractHeirs(pointMap, result);
+  }
+  this->ExtractHeirs(pointMap, result);
 }
 
 void vtkMTCollapseRegion::ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast patches are decoded: decode_rate MODEL [ROUNDS]. The file is held in memory; the rate is that of the bytes that
-// come out, by the CPU time of one thread, checksums included.
+// How fast patches are decoded: decode_rate MODEL [ROUNDS]. The file is held in memory; the rate is that of the bytes
+// that come out, by the CPU time of one thread, checksums included.
 #include "vtkMTFileByteSource.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"

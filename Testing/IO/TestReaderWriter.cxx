@@ -5,9 +5,8 @@
 #include "MTTestModel.h"
 
 #include "vtkMTFileSource.h"
-#include "vtkMultiTriangulation.h"
-#include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
+#include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationReader.h"
 #include "vtkMultiTriangulationWriter.h"
 
