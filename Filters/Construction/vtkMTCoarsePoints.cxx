@@ -79,7 +79,8 @@ bool RoundPoint(const vtkMTPoint& from, unsigned shift, vtkMTPoint& to)
 {
   for (int i = 0; i < 3; ++i)
   {
-    const std::int64_t rounded = (std::int64_t(from[i]) + (std::int64_t(1) << (shift - 1))) >> shift << shift;
+    const std::int64_t rounded =
+      ((std::int64_t(from[i]) + (std::int64_t(1) << (shift - 1))) >> shift) * (std::int64_t(1) << shift);
     if (rounded > std::numeric_limits<std::int32_t>::max())
     {
       return false;

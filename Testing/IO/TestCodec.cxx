@@ -52,7 +52,7 @@ vtkMTPatch MakeField(Random& random, int n, int seam, unsigned shift, std::int32
     {
       for (std::int32_t& k : patch.Points[p])
       {
-        k = k >> shift << shift;
+        k = (k >> shift) * (1 << shift);
       }
     }
     else
