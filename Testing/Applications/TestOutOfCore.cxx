@@ -106,7 +106,7 @@ TEST_F(OutOfCore, ResumeAfterAnyFailedWriteGivesTheSameBytes)
   const std::string expected = this->ReadFile("expected.bmt");
   ASSERT_FALSE(expected.empty());
   std::size_t resumed = 0;
-  const std::uint64_t step = std::max<std::uint64_t>(1, writes / 40);
+  const std::uint64_t step = std::max<std::uint64_t>(1, writes / 25);
   for (std::uint64_t i = 0; i < writes; i += step)
   {
     {
