@@ -113,7 +113,7 @@ private:
   {
     std::string error;
     vtkMTTextFormat::Stream stream(*this->File);
-    if (!this->Header.Parse(stream, error) || this->Header.Elements.size() != 2 ||
+    if (!this->Header.Parse(stream, error) || !this->Header.TextureFiles.empty() || this->Header.Elements.size() != 2 ||
       this->Header.Elements[0].Name != "vertex" || this->Header.Elements[1].Name != "face")
     {
       return false;
