@@ -38,9 +38,9 @@ int RunCommand(const bmtContext& context)
   {
     return context.Run();
   }
-  catch (const bmtInterrupt& interrupt)
+  catch (const bmtInterrupt&)
   {
-    bmtWarn(interrupt.what());
+    bmtWarn("interrupted; outputs are as they were");
     return bmtExit::Interrupted;
   }
   catch (const std::bad_alloc&)
