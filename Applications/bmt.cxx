@@ -38,9 +38,9 @@ int RunCommand(const bmtContext& context)
   {
     return context.Run();
   }
-  catch (const bmtInterrupt&)
+  catch (const bmtInterrupt& interrupt)
   {
-    bmtWarn("interrupted; outputs are as they were");
+    bmtWarn(interrupt.what());
     return bmtExit::Interrupted;
   }
   catch (const std::bad_alloc&)

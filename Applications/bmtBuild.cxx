@@ -3,9 +3,11 @@
 #include "bmtInput.h"
 #include "bmtModel.h"
 #include "bmtModelSink.h"
+#include "bmtWorkspace.h"
 
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTFileSink.h"
+#include "vtkMTMeshStream.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTVoronoiPartition.h"
@@ -21,6 +23,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -44,14 +47,17 @@ struct Options
   bool NoNormals = false;
   bool NoIds = false;
   bool KeepFarOutliers = false;
+  bmtWorkspaceOptions Workspace;
 };
 
 void Advance(vtkObject* caller, unsigned long, void* client, void* fraction)
 {
-  static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction));
+  vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller);
+  const char* text = algorithm->GetProgressText();
+  static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction), text ? text : "");
   if (bmtIsInterrupted())
   {
-    vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
+    algorithm->AbortExecuteOn();
   }
 }
 
@@ -122,20 +128,54 @@ void SelectArrays(const std::vector<std::string>& names, vtkPolyData* mesh)
   }
 }
 
-void RunBuilder(const Options& options, int latticeBits, vtkMTTriangleStream& stream, vtkMTPatchSink& sink)
+vtkMTFileSink::CompressionType GetCompression(const std::string& name)
+{
+  return name == "none" ? vtkMTFileSink::None : (name == "small" ? vtkMTFileSink::Small : vtkMTFileSink::Fast);
+}
+
+// What tells this input from others, without reading all of it again.
+std::string GetIdentity(const bmtInput& input)
+{
+  std::string identity = "iso " + std::to_string(input.Iso.value_or(0.0)) +
+    (input.GradientNormals ? " with normals" : "") + ", heights by " + std::to_string(input.VerticalScale) +
+    (input.Degrees ? " in degrees; " : "; ");
+  for (const std::string& path : input.Paths)
+  {
+    std::error_code code;
+    const auto time = std::filesystem::last_write_time(path, code).time_since_epoch().count();
+    const std::string whole = std::filesystem::absolute(path, code).string();
+    identity += whole + ", " + std::to_string(std::filesystem::file_size(path, code)) + " bytes, of " +
+      std::to_string(time) + "; ";
+  }
+  return identity;
+}
+
+void RunBuilder(const Options& options, int latticeBits, bmtWorkspace& workspace, vtkMTTriangleStream& stream,
+  const bmtInputReport& report, std::uint64_t& fileSize)
 {
   vtkNew<vtkMultiTriangulationBuilder> builder;
   Configure(options, latticeBits, builder);
+  workspace.Prepare(stream, builder);
+  // What becomes of the model in the sink has to be the same as well when the build is resumed.
+  const std::string identity = GetIdentity(options.Input) + options.Compression + (options.NoIds ? ", no ids" : "");
+  builder->SetInputIdentity(identity.c_str());
+  vtkMTFileSink sink(options.Output, GetCompression(options.Compression), workspace.GetStore());
+  bmtModelSink model(sink, report.Textures, !options.NoIds);
   bmtProgress progress("building");
   vtkNew<vtkCallbackCommand> advance;
   advance->SetCallback(Advance);
   advance->SetClientData(&progress);
   builder->AddObserver(vtkCommand::ProgressEvent, advance);
-  if (!builder->Build(stream, sink))
+  if (!builder->Build(stream, model))
   {
-    bmtThrowIfInterrupted();
-    throw bmtError(options.Output + " was not written: " + builder->GetErrorMessage());
+    const std::string advice = workspace.GetAdvice(builder->GetHasCheckpoint());
+    if (bmtIsInterrupted())
+    {
+      throw bmtInterrupt("interrupted; " + options.Output + " is as it was" + advice);
+    }
+    throw bmtError(options.Output + " was not written: " + builder->GetErrorMessage() + advice);
   }
+  fileSize = sink.GetFileSize();
 }
 
 // What the input refers to and the file holds as blobs.
@@ -156,9 +196,29 @@ bmtJson DescribeTextures(const bmtInputReport& report)
   return list;
 }
 
-vtkMTFileSink::CompressionType GetCompression(const std::string& name)
+// A mesh that can be streamed is; everything else is read, and so is what must be looked at whole.
+std::unique_ptr<vtkMTTriangleStream> OpenInput(const Options& options, vtkPolyData* mesh, bmtInputReport& report)
 {
-  return name == "none" ? vtkMTFileSink::None : (name == "small" ? vtkMTFileSink::Small : vtkMTFileSink::Fast);
+  for (const std::string& path : options.Input.Paths)
+  {
+    bmtRequireReadable(path);
+  }
+  const bool selects = options.ArraysOption && options.ArraysOption->count() > 0;
+  std::unique_ptr<vtkMTTriangleStream> stream;
+  if (options.Input.Paths.size() == 1 && !selects && !(options.Precision > 0.0))
+  {
+    stream = vtkMTMeshStream::Open(options.Input.Paths[0]);
+  }
+  if (!stream)
+  {
+    report = bmtReadInput(options.Input, mesh);
+    if (selects)
+    {
+      SelectArrays(options.Arrays, mesh);
+    }
+    stream = std::make_unique<bmtInputStream>(mesh, report.Counts);
+  }
+  return stream;
 }
 
 bmtJson Build(const Options& options)
@@ -166,23 +226,21 @@ bmtJson Build(const Options& options)
   bmtRequireWritable(options.Output);
   const double wall = bmtWallSeconds();
   const double cpu = bmtCpuSeconds();
+  bmtWorkspace workspace(options.Workspace, options.Output);
   vtkNew<vtkPolyData> mesh;
-  const bmtInputReport report = bmtReadInput(options.Input, mesh);
-  if (options.ArraysOption && options.ArraysOption->count() > 0)
-  {
-    SelectArrays(options.Arrays, mesh);
-  }
+  bmtInputReport report;
+  const std::unique_ptr<vtkMTTriangleStream> stream = OpenInput(options, mesh, report);
   const double reading = bmtWallSeconds() - wall;
-  bmtInputStream stream(mesh, report.Counts);
-  vtkMTFileSink sink(options.Output, GetCompression(options.Compression));
-  bmtModelSink model(sink, report.Textures, !options.NoIds);
-  RunBuilder(options, GetLatticeBits(options, mesh), stream, model);
+  std::uint64_t fileSize = 0;
+  RunBuilder(options, GetLatticeBits(options, mesh), workspace, *stream, report, fileSize);
 
   bmtJson result;
   result["output"] = options.Output;
   result["seconds"] = bmtWallSeconds() - wall;
   result["cpu_seconds"] = bmtCpuSeconds() - cpu;
   result["reading_seconds"] = reading;
+  result["input_streamed"] = mesh->GetNumberOfPoints() == 0;
+  workspace.Describe(result);
   if (!report.Textures.empty() || !report.Problems.empty())
   {
     result["textures_of_input"] = DescribeTextures(report);
@@ -192,7 +250,7 @@ bmtJson Build(const Options& options)
   {
     result["parts"] = report.Parts;
   }
-  result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), sink.GetFileSize()));
+  result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), fileSize));
   return result;
 }
 
@@ -237,6 +295,7 @@ void AddOptions(CLI::App& command, Options& options)
   command.add_flag("--no-ids", options.NoIds, "Do not keep the input's cell ids, by which picking finds cells");
   command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
     "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
+  bmtAddWorkspaceOptions(command, options.Workspace);
   command.add_flag("--no-normals", options.NoNormals, "Make no smooth normals where the input has none");
 }
 }
@@ -251,7 +310,8 @@ void bmtAddBuild(CLI::App& app, bmtContext& context)
     "touch stay apart. Arrays of one name, type and number of components become one; where an input lacks it, real\n"
     "numbers are NaN, whole numbers 0, and normals are made; input_report counts it. All tiles of terrain make one\n"
     "terrain, in metres about its middle; samples that tiles share are one point, voids are holes.\n"
-    "The file is written whole or not at all, and is the same byte for byte for any number of threads.");
+    "The file is written whole or not at all, and is the same byte for byte for any number of threads and\n"
+    "any memory limit, also after --resume.");
   AddOptions(*command, *options);
   bmtAddCommonOptions(*command, context);
   command->callback(

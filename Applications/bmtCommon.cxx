@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -137,7 +138,26 @@ bmtProgress::~bmtProgress()
   }
 }
 
-void bmtProgress::Update(double fraction)
+// From the rate since the fraction began to grow.
+std::string bmtProgress::GetTimeLeft(double fraction, double now)
+{
+  if (this->FirstTime < 0.0 || fraction < this->FirstFraction)
+  {
+    this->FirstTime = fraction > 0.0 ? now : -1.0;
+    this->FirstFraction = fraction;
+  }
+  if (now - this->FirstTime < 2.0 || this->FirstTime < 0.0 || fraction <= this->FirstFraction)
+  {
+    return "";
+  }
+  const double left = (1.0 - fraction) * (now - this->FirstTime) / (fraction - this->FirstFraction);
+  const long seconds = std::lround(left);
+  char text[64];
+  std::snprintf(text, sizeof(text), ", %ld:%02ld:%02ld left", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  return text;
+}
+
+void bmtProgress::Update(double fraction, const std::string& step)
 {
   const double now = bmtWallSeconds();
   if (this->What.empty() || now - this->LastTime < 0.1)
@@ -145,7 +165,9 @@ void bmtProgress::Update(double fraction)
     return;
   }
   this->LastTime = now;
-  std::fprintf(stderr, "\r\033[K%s %3.0f %%", this->What.c_str(), 100.0 * std::clamp(fraction, 0.0, 1.0));
+  const std::string left = this->GetTimeLeft(fraction, now);
+  std::fprintf(stderr, "\r\033[K%s %3.0f %%%s%s%s", this->What.c_str(), 100.0 * std::clamp(fraction, 0.0, 1.0),
+    step.empty() ? "" : ", ", step.c_str(), left.c_str());
   std::fflush(stderr);
 }
 

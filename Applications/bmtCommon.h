@@ -31,10 +31,13 @@ public:
 };
 
 /// The user pressed Ctrl-C.
-class bmtInterrupt : public std::exception
+class bmtInterrupt : public std::runtime_error
 {
 public:
-  const char* what() const noexcept override { return "interrupted"; }
+  explicit bmtInterrupt(const std::string& what = "interrupted; outputs are as they were")
+    : std::runtime_error(what)
+  {
+  }
 };
 
 struct bmtExit
@@ -62,11 +65,16 @@ public:
   ~bmtProgress();
   bmtProgress(const bmtProgress&) = delete;
   void operator=(const bmtProgress&) = delete;
-  void Update(double fraction);
+  /// With what is being done, if anything is to be said of it, and how long it may still take.
+  void Update(double fraction, const std::string& step = "");
 
 private:
+  std::string GetTimeLeft(double fraction, double now);
+
   std::string What;
   double LastTime = -1.0;
+  double FirstTime = -1.0; // since when there is progress
+  double FirstFraction = 0.0;
 };
 
 /// VTK's errors and warnings go to standard error in the form of all other messages: one line each, "bmt: ...".

@@ -45,7 +45,7 @@ std::vector<vtkMTArrayInfo> bmtModelSink::Select(const std::vector<vtkMTArrayInf
   return selected;
 }
 
-bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
+void bmtModelSink::FindDroppedColumns(const std::vector<vtkMTArrayInfo>& arrays)
 {
   this->DroppedCellColumns.clear();
   std::size_t column = 0;
@@ -60,6 +60,19 @@ bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
       ++column;
     }
   }
+}
+
+void bmtModelSink::Drop(vtkMTPatch& patch) const
+{
+  for (std::size_t column : this->DroppedCellColumns)
+  {
+    patch.CellColumns.erase(patch.CellColumns.begin() + static_cast<std::ptrdiff_t>(column));
+  }
+}
+
+bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
+{
+  this->FindDroppedColumns(arrays);
   bool done = this->Next.Begin(this->Select(arrays));
   for (std::size_t i = 0; done && i < this->Textures.size(); ++i)
   {
@@ -70,11 +83,30 @@ bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
 
 bool bmtModelSink::WritePatch(vtkMTPatch&& patch)
 {
-  for (std::size_t column : this->DroppedCellColumns)
-  {
-    patch.CellColumns.erase(patch.CellColumns.begin() + static_cast<std::ptrdiff_t>(column));
-  }
+  this->Drop(patch);
   return this->Pass(this->Next.WritePatch(std::move(patch)));
+}
+
+std::unique_ptr<vtkMTPatchSink::PreparedPatch> bmtModelSink::Prepare(vtkMTPatch&& patch, std::string& error) const
+{
+  this->Drop(patch);
+  return this->Next.Prepare(std::move(patch), error);
+}
+
+bool bmtModelSink::WritePrepared(std::unique_ptr<PreparedPatch> patch)
+{
+  return this->Pass(this->Next.WritePrepared(std::move(patch)));
+}
+
+bool bmtModelSink::Save(std::vector<unsigned char>& state)
+{
+  return this->Pass(this->Next.Save(state));
+}
+
+bool bmtModelSink::Restore(const std::vector<vtkMTArrayInfo>& arrays, const std::vector<unsigned char>& state)
+{
+  this->FindDroppedColumns(arrays);
+  return this->Pass(this->Next.Restore(this->Select(arrays), state));
 }
 
 bool bmtModelSink::WriteBlob(std::vector<unsigned char>&& bytes)

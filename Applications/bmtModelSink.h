@@ -10,6 +10,8 @@
 #include "vtkMTPatchSink.h"
 #include "vtkMTTexture.h"
 
+#include <memory>
+#include <string>
 #include <vector>
 
 class bmtModelSink : public vtkMTPatchSink
@@ -20,13 +22,19 @@ public:
 
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
   bool WritePatch(vtkMTPatch&& patch) override;
+  std::unique_ptr<PreparedPatch> Prepare(vtkMTPatch&& patch, std::string& error) const override;
+  bool WritePrepared(std::unique_ptr<PreparedPatch> patch) override;
   bool WriteBlob(std::vector<unsigned char>&& bytes) override;
   bool Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc) override;
   void Abandon() override { this->Next.Abandon(); }
+  bool Save(std::vector<unsigned char>& state) override;
+  bool Restore(const std::vector<vtkMTArrayInfo>& arrays, const std::vector<unsigned char>& state) override;
 
 private:
   bool Pass(bool done);
   std::vector<vtkMTArrayInfo> Select(const std::vector<vtkMTArrayInfo>& arrays) const;
+  void FindDroppedColumns(const std::vector<vtkMTArrayInfo>& arrays);
+  void Drop(vtkMTPatch& patch) const;
 
   vtkMTPatchSink& Next;
   const std::vector<vtkMTTexture>& Textures;

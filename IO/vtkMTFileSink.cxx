@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTFileSink.h"
 
+#include "vtkMTBytes.h"
 #include "vtkMTFileDag.h"
+#include "vtkMTFileSpoolStore.h"
 #include "vtkMTGraph.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPatchCodec.h"
-#include "vtkMTTemporaryFile.h"
 
 #include <array>
 #include <limits>
@@ -15,53 +16,76 @@ using vtkMTFileFormat::Align;
 using vtkMTFileFormat::Section;
 using vtkMTFileFormat::SectionRecord;
 
+namespace
+{
+// In a store.
+const std::string SpoolName = "model-patches";
+const std::string TablesName = "model-tables";
+
+struct EncodedPatch : public vtkMTPatchSink::PreparedPatch
+{
+  std::vector<unsigned char> Bytes;
+  std::vector<Section> Sections; // offsets from the patch's first byte
+  std::array<std::uint32_t, 4> Counts;
+};
+}
+
 struct vtkMTFileSink::Internals
 {
   std::string Path;
   std::vector<vtkMTArrayInfo> Arrays;
-  vtkMTTemporaryFile Spool;
+  vtkMTSpoolStore* Store = nullptr;
+  std::unique_ptr<vtkMTSpool> Spool;  // null: not begun
+  std::unique_ptr<vtkMTSpool> Tables; // what Save has put aside of Sections and Counts
+  std::size_t SavedPatches = 0;
   vtkMTFileFormat::Codec Codec = vtkMTFileFormat::Lz4;
   std::vector<Section> Sections;                    // of the patches in the order of writing; offsets in the spool
   std::vector<Section> Blobs;                       // the same
   std::vector<std::array<std::uint32_t, 4>> Counts; // points, wedges, triangles, shared points of each patch
-  std::vector<unsigned char> Bytes;                 // of the patch in hand
-  std::vector<Section> PatchSections;
+  std::vector<unsigned char> Bytes;                 // of what is copied
   std::uint64_t FileSize = 0;
 
   std::size_t SectionsPerPatch() const { return this->Arrays.size() + 1; }
 
   void Forget()
   {
-    this->Spool.Close();
+    if (this->Store && this->Spool)
+    {
+      this->Spool.reset();
+      this->Tables.reset();
+      this->Store->Remove(SpoolName);
+      this->Store->Remove(TablesName);
+    }
+    this->Spool.reset();
+    this->SavedPatches = 0;
     this->Sections = {};
     this->Blobs = {};
     this->Counts = {};
     this->Bytes = {};
-    this->PatchSections = {};
   }
 
-  bool Append(const vtkMTPatch& patch, std::string& error)
+  bool Append(const EncodedPatch& patch, std::string& error)
   {
-    if (!vtkMTPatchCodec::Encode(patch, this->Arrays, this->Codec, this->Bytes, this->PatchSections, error))
+    const std::uint64_t begin = this->Spool->GetSize();
+    if (!this->AppendBytes(patch.Bytes, error))
     {
-      error = this->Path + ": patch " + std::to_string(this->Counts.size()) + " " + error;
       return false;
     }
-    const std::uint64_t begin = this->Spool.GetSize();
-    if (!this->Spool.Append(this->Bytes.data(), this->Bytes.size()))
-    {
-      error = this->Path + ": " + this->Spool.GetError();
-      return false;
-    }
-    for (Section& section : this->PatchSections)
+    for (Section section : patch.Sections)
     {
       section.Offset += begin;
       this->Sections.push_back(section);
     }
-    this->Counts.push_back(
-      { static_cast<std::uint32_t>(patch.Points.size()), static_cast<std::uint32_t>(patch.GetNumberOfWedges()),
-        static_cast<std::uint32_t>(patch.Triangles.size()), static_cast<std::uint32_t>(patch.Ids.size()) });
+    this->Counts.push_back(patch.Counts);
     return true;
+  }
+
+  bool AppendBytes(const std::vector<unsigned char>& bytes, std::string& error)
+  {
+    std::string reason;
+    const bool done = this->Spool->Append(bytes.data(), bytes.size(), reason);
+    error = done ? error : this->Path + ": " + reason;
+    return done;
   }
 
   bool AppendBlob(std::vector<unsigned char>& bytes, std::string& error)
@@ -72,14 +96,13 @@ struct vtkMTFileSink::Internals
       error = this->Path + ": a blob has more than 4 GiB";
       return false;
     }
-    section.Offset = this->Spool.GetSize();
+    section.Offset = this->Spool->GetSize();
     section.StoredSize = static_cast<std::uint32_t>(bytes.size());
     section.Codec = vtkMTFileFormat::Raw;
     bytes.resize(static_cast<std::size_t>(Align(bytes.size())), 0);
     section.Checksum = vtkMTFileFormat::Checksum(bytes.data(), bytes.size());
     this->Blobs.push_back(section);
-    error = this->Spool.Append(bytes.data(), bytes.size()) ? error : this->Path + ": " + this->Spool.GetError();
-    return error.empty();
+    return this->AppendBytes(bytes, error);
   }
 
   bool Check(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc, std::string& error) const
@@ -139,9 +162,8 @@ struct vtkMTFileSink::Internals
   {
     const Section& last = sections[count - 1];
     this->Bytes.resize(static_cast<std::size_t>(last.Offset + Align(last.StoredSize) - sections[0].Offset));
-    if (!this->Spool.Read(sections[0].Offset, this->Bytes.size(), this->Bytes.data()))
+    if (!this->Spool->Read(sections[0].Offset, this->Bytes.size(), this->Bytes.data(), error))
     {
-      error = this->Spool.GetError();
       return false;
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -191,10 +213,11 @@ struct vtkMTFileSink::Internals
   }
 };
 
-vtkMTFileSink::vtkMTFileSink(const std::string& path, CompressionType compression)
+vtkMTFileSink::vtkMTFileSink(const std::string& path, CompressionType compression, vtkMTSpoolStore* store)
   : Implementation(new Internals)
 {
   this->Implementation->Path = path;
+  this->Implementation->Store = store;
   this->Implementation->Codec =
     compression == None ? vtkMTFileFormat::Raw : (compression == Fast ? vtkMTFileFormat::Lz4 : vtkMTFileFormat::Zstd);
 }
@@ -218,42 +241,136 @@ bool vtkMTFileSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
   }
   // Asked now and not after hours of building: whether the output can be made at all.
   vtkMTOutputFile attempt;
-  if (!attempt.Open(own.Path) || !own.Spool.OpenBeside(own.Path))
+  if (!attempt.Open(own.Path))
   {
-    this->Error = attempt.IsOpen() ? own.Path + ": " + own.Spool.GetError() : attempt.GetError();
+    this->Error = attempt.GetError();
     return false;
   }
-  return true;
+  std::string reason;
+  own.Spool = own.Store ? own.Store->Create(SpoolName, reason) : vtkMTFileSpoolStore::CreateBeside(own.Path, reason);
+  own.Tables = own.Spool && own.Store ? own.Store->Create(TablesName, reason) : nullptr;
+  this->Error = reason.empty() ? "" : own.Path + ": " + reason;
+  return reason.empty();
 }
 
-bool vtkMTFileSink::WritePatch(vtkMTPatch&& patch)
+std::unique_ptr<vtkMTPatchSink::PreparedPatch> vtkMTFileSink::Prepare(vtkMTPatch&& patch, std::string& error) const
+{
+  const Internals& own = *this->Implementation;
+  auto encoded = std::make_unique<EncodedPatch>();
+  std::string reason;
+  if (!vtkMTPatchCodec::Encode(patch, own.Arrays, own.Codec, encoded->Bytes, encoded->Sections, reason))
+  {
+    error = own.Path + ": a patch " + reason;
+    return nullptr;
+  }
+  encoded->Counts = { static_cast<std::uint32_t>(patch.Points.size()),
+    static_cast<std::uint32_t>(patch.GetNumberOfWedges()), static_cast<std::uint32_t>(patch.Triangles.size()),
+    static_cast<std::uint32_t>(patch.Ids.size()) };
+  patch = vtkMTPatch();
+  return encoded;
+}
+
+bool vtkMTFileSink::WritePrepared(std::unique_ptr<PreparedPatch> patch)
 {
   Internals& own = *this->Implementation;
-  if (!own.Spool.IsOpen())
+  if (!own.Spool)
   {
     this->Error = this->Error.empty() ? own.Path + ": a patch was written before Begin" : this->Error;
     return false;
   }
-  try
+  if (patch && own.Append(static_cast<const EncodedPatch&>(*patch), this->Error))
   {
-    if (own.Append(patch, this->Error))
-    {
-      patch = vtkMTPatch();
-      return true;
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Error = own.Path + ": there is not enough memory";
+    return true;
   }
   own.Forget();
   return false;
 }
 
+bool vtkMTFileSink::WritePatch(vtkMTPatch&& patch)
+{
+  try
+  {
+    return this->WritePrepared(this->Implementation->Spool ? this->Prepare(std::move(patch), this->Error) : nullptr);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Error = this->Implementation->Path + ": there is not enough memory";
+  }
+  this->Implementation->Forget();
+  return false;
+}
+
+bool vtkMTFileSink::Save(std::vector<unsigned char>& state)
+{
+  Internals& own = *this->Implementation;
+  if (!own.Tables || !own.Store->IsLasting())
+  {
+    return false;
+  }
+  // What is new since the last time, patch by patch.
+  std::vector<unsigned char> fresh;
+  vtkMTBytes::Writer table(fresh);
+  for (std::size_t patch = own.SavedPatches; patch < own.Counts.size(); ++patch)
+  {
+    table.Put(own.Counts[patch]);
+    for (std::size_t i = 0; i < own.SectionsPerPatch(); ++i)
+    {
+      table.Put(own.Sections[patch * own.SectionsPerPatch() + i]);
+    }
+  }
+  if (!own.Tables->Append(fresh.data(), fresh.size(), this->Error))
+  {
+    return false;
+  }
+  own.SavedPatches = own.Counts.size();
+  state.clear();
+  vtkMTBytes::Writer writer(state);
+  writer.Put<std::uint32_t>(own.Codec);
+  writer.Put(own.Spool->GetSize());
+  writer.Put<std::uint64_t>(own.SavedPatches);
+  writer.PutList(own.Blobs);
+  return true;
+}
+
+bool vtkMTFileSink::Restore(const std::vector<vtkMTArrayInfo>& arrays, const std::vector<unsigned char>& state)
+{
+  Internals& own = *this->Implementation;
+  vtkMTBytes::Reader reader(state);
+  const auto codec = reader.Take<std::uint32_t>();
+  const auto size = reader.Take<std::uint64_t>();
+  const auto patches = reader.Take<std::uint64_t>();
+  reader.TakeList(own.Blobs);
+  own.Arrays = arrays;
+  this->Error.clear();
+  if (!own.Store || !reader.IsSound() || codec != static_cast<std::uint32_t>(own.Codec))
+  {
+    this->Error = own.Path + ": was begun with another compression, or its state is damaged";
+    return false;
+  }
+  const std::size_t row = sizeof(own.Counts[0]) + own.SectionsPerPatch() * sizeof(Section);
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(patches) * row);
+  own.Spool = own.Store->Open(SpoolName, size, this->Error);
+  own.Tables = own.Spool ? own.Store->Open(TablesName, bytes.size(), this->Error) : nullptr;
+  if (!own.Tables || !own.Tables->Read(0, bytes.size(), bytes.data(), this->Error))
+  {
+    return false;
+  }
+  vtkMTBytes::Reader table(bytes);
+  for (own.SavedPatches = 0; own.SavedPatches < patches; ++own.SavedPatches)
+  {
+    own.Counts.push_back(table.Take<std::array<std::uint32_t, 4>>());
+    for (std::size_t i = 0; i < own.SectionsPerPatch(); ++i)
+    {
+      own.Sections.push_back(table.Take<Section>());
+    }
+  }
+  return true;
+}
+
 bool vtkMTFileSink::WriteBlob(std::vector<unsigned char>&& bytes)
 {
   Internals& own = *this->Implementation;
-  if (!own.Spool.IsOpen())
+  if (!own.Spool)
   {
     this->Error = this->Error.empty() ? own.Path + ": a blob was written before Begin" : this->Error;
     return false;
@@ -269,7 +386,7 @@ bool vtkMTFileSink::WriteBlob(std::vector<unsigned char>&& bytes)
 bool vtkMTFileSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)
 {
   Internals& own = *this->Implementation;
-  if (!own.Spool.IsOpen())
+  if (!own.Spool)
   {
     this->Error = this->Error.empty() ? own.Path + ": the model was finished before Begin" : this->Error;
     return false;

@@ -1,43 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTSpool
- * @brief the builder's working store: patches put under a key (a region) and taken back by that key
+ * @brief a working store of bytes: it grows at its end and is read anywhere
  *
- * Between two levels of the construction every fragment, and then every patch, is put under the region that will
- * use it and taken once when that region is processed (BMT section 6). A spool may keep them in memory or on disk; what
- * Take gives does not depend on which.
+ * What a mesh larger than memory is kept in while a Multi-Triangulation is built (BMT section 6). All else is made of
+ * it: records under keys (vtkMTRecordSpool), external sorting (vtkMTRecordSort), the patches that are not yet in the
+ * file. Reads and writes are explicit: mapped pages would count as memory of the process.
  *
- * Threads: Put comes from one thread at a time; Take may be called from several threads for different keys.
+ * Threads: Append comes from one thread at a time, and not while others read; Read may come from several.
  */
 #ifndef vtkMTSpool_h
 #define vtkMTSpool_h
 
 #include "vtkMTCoreModule.h" // For export macro
-#include "vtkMTPatch.h"
 
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
-#include <vector>
 
 class VTKMTCORE_EXPORT vtkMTSpool
 {
 public:
   virtual ~vtkMTSpool();
 
-  /// Forgets everything and makes room for the keys 0 .. keys-1.
-  virtual bool Reset(std::size_t keys) = 0;
-  virtual bool Put(std::size_t key, vtkMTPatch&& patch) = 0;
-  /// The key's patches in the order in which they were put; the spool may forget them.
-  virtual bool Take(std::size_t key, std::vector<vtkMTPatch>& patches) = 0;
-
-  const std::string& GetError() const { return this->Error; }
-
-protected:
-  std::string Error;
+  ///@{
+  /// False on failure, with a message in error, which is otherwise left as it is.
+  virtual bool Append(const void* data, std::size_t size, std::string& error) = 0;
+  virtual bool Read(std::uint64_t offset, std::size_t size, void* data, std::string& error) const = 0;
+  ///@}
+  virtual std::uint64_t GetSize() const = 0;
 };
-
-/// Makes the spools that a builder needs.
-using vtkMTSpoolFactory = std::shared_ptr<vtkMTSpool> (*)();
 
 #endif

@@ -19,26 +19,90 @@
  *
  * Distances and lengths are counted by powers of two, so the result does not depend on the order of the triangles; the
  * median edge length is taken as the power of two above it.
+ *
+ * The input comes in blocks, up to three times: for bounds and edges; then, only where the lattice is too coarse, for
+ * the middle (by external sorting), and for the counts of how far triangles reach, with their bounds.
  */
 #ifndef vtkMTFarOutliers_h
 #define vtkMTFarOutliers_h
 
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTInputBlock.h"
+#include "vtkMTRecordSort.h"
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
-struct VTKMTCONSTRUCTION_EXPORT vtkMTFarOutliers
+class VTKMTCONSTRUCTION_EXPORT vtkMTFarOutliers
 {
-  std::vector<std::uint32_t> Triangles; ///< the outliers, in ascending order
-  std::string Message;                  ///< for a person, where there are any; or why the input is refused
-  bool IsRefused = false;
+public:
+  /// memory: bytes for sorting.
+  vtkMTFarOutliers(int latticeBits, vtkMTSpoolStore& store, std::size_t memory);
+  ~vtkMTFarOutliers();
 
-  /// All indices must be in range and all coordinates finite.
-  static vtkMTFarOutliers Find(const std::vector<std::array<double, 3>>& points,
-    const std::vector<std::array<std::uint32_t, 3>>& triangles, int latticeBits);
+  ///@{
+  /// Every step is fed with all blocks, then asked whether another one is needed. All coordinates must be finite. False
+  /// on failure, with a message in GetError.
+  bool Add(const vtkMTInputBlock& block);
+  bool FinishStep();
+  bool IsFinished() const { return this->Step == Finished; }
+  ///@}
+
+  bool IsFar(const vtkMTInputBlock& block, const vtkMTInputBlock::Triangle& triangle) const;
+  std::uint64_t GetNumberOfOutliers() const { return this->Outliers; }
+  /// Of all triangles that are not left out: xmin, xmax, ymin, ymax, zmin, zmax.
+  const std::array<double, 6>& GetBounds() const { return this->Bounds; }
+
+  /// For a person, where there are any; or why the input is refused.
+  const std::string& GetMessage() const { return this->Message; }
+  bool IsRefused() const { return this->Refused; }
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  using Box = std::array<double, 6>;
+  struct Shell
+  {
+    std::uint64_t Triangles = 0;
+    Box Bounds;
+  };
+  enum StepType
+  {
+    Edges,
+    Middles,
+    Reaches,
+    Finished
+  };
+
+  bool AddMiddles(const vtkMTInputBlock& block);
+  void AddReaches(const vtkMTInputBlock& block);
+  bool FindMiddle();
+  void FindTypicalEdge();
+  void Decide();
+  void Collect();
+  void Explain(std::uint64_t beyond, int power);
+  double GetReach(const vtkMTInputBlock& block, const vtkMTInputBlock::Triangle& triangle) const;
+  Box FindBox(int limit) const;
+  bool IsTooCoarse(const Box& box) const;
+  std::uint64_t GetMostFew() const;
+
+  const int Bits;
+  StepType Step = Edges;
+  int Limit; // triangles that reach a higher power of two are outliers
+  std::uint64_t Triangles = 0;
+  std::uint64_t Outliers = 0;
+  std::vector<std::uint64_t> Lengths; // edges, by power of two
+  double TypicalEdge = 0.0;
+  Box Bounds;
+  std::array<double, 3> Middle{ 0.0, 0.0, 0.0 };
+  std::vector<std::unique_ptr<vtkMTRecordSort>> Coordinates; // one per axis
+  std::map<int, Shell> Shells;                               // by power of two of the reach
+  std::string Message;
+  bool Refused = false;
+  std::string Error;
 };
 
 #endif

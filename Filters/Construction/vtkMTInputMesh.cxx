@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputMesh.h"
 
+#include "vtkMTBuildState.h"
 #include "vtkMTFarOutliers.h"
-#include "vtkMTOrientation.h"
+#include "vtkMTInputFragment.h"
+#include "vtkMTInputRegions.h"
+#include "vtkMTInputSpool.h"
+#include "vtkMTOrderedWork.h"
+#include "vtkMTPartitionStrategy.h"
+#include "vtkMTPatchRecord.h"
+#include "vtkMTPatchSplitter.h"
 #include "vtkMTPointNormals.h"
+#include "vtkMTRegionStep.h"
 #include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
 
@@ -12,429 +20,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
-#include <numeric>
 
 namespace
 {
-using WorldPoint = std::array<double, 3>;
-using Indices = std::array<std::uint32_t, 3>;
-constexpr std::uint32_t None = ~std::uint32_t(0);
+using Barycentre = vtkMTBarycentreSpool::Barycentre;
+using Bytes = std::vector<unsigned char>;
 
-void Append(vtkMTColumn& column, const vtkMTColumn& more)
-{
-  column.insert(column.end(), more.begin(), more.end());
-}
-
-// Everything that the stream says, with the triangles that are no triangles left out.
-class Loader
-{
-public:
-  Loader(vtkMTTriangleStream& stream, vtkMTInputMesh& result)
-    : Stream(stream)
-    , Result(result)
-  {
-  }
-
-  bool Load(std::string& error)
-  {
-    this->SetUpColumns();
-    if (this->Stream.GetNumberOfPoints() >= None)
-    {
-      error = "the input has more points than the 4294967294 that are supported";
-      return false;
-    }
-    if (!this->Stream.Rewind() || !this->LoadPoints() || !this->LoadTriangles())
-    {
-      error = this->Stream.GetError();
-      return false;
-    }
-    return true;
-  }
-
-  // Takes these triangles, in ascending order, out again.
-  void RemoveTriangles(const std::vector<std::uint32_t>& which)
-  {
-    for (std::size_t i = 0; i < this->CellColumns.size(); ++i)
-    {
-      RemoveTuples(this->CellColumns[i], this->CellTupleSizes[i], which);
-    }
-    auto next = which.begin();
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
-    {
-      if (next != which.end() && *next == t)
-      {
-        ++next;
-      }
-      else
-      {
-        this->Triangles[kept++] = this->Triangles[t];
-      }
-    }
-    this->Triangles.resize(kept);
-  }
-
-  std::vector<WorldPoint> Points;
-  std::vector<vtkMTColumn> PointColumns;
-  std::vector<Indices> Triangles;
-  std::vector<vtkMTColumn> CellColumns; // the last one holds the input cell ids
-
-private:
-  static void RemoveTuples(vtkMTColumn& column, std::size_t size, const std::vector<std::uint32_t>& which)
-  {
-    auto next = which.begin();
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t * size < column.size(); ++t)
-    {
-      if (next != which.end() && *next == t)
-      {
-        ++next;
-      }
-      else
-      {
-        std::copy_n(column.begin() + static_cast<std::ptrdiff_t>(t * size), size,
-          column.begin() + static_cast<std::ptrdiff_t>(kept++ * size));
-      }
-    }
-    column.resize(kept * size);
-  }
-
-  void SetUpColumns()
-  {
-    for (const vtkMTArrayInfo& info : this->Stream.GetArrays())
-    {
-      (info.Association == vtkMTArrayInfo::Point ? this->PointColumns : this->CellColumns).emplace_back();
-      if (info.Association == vtkMTArrayInfo::Cell)
-      {
-        this->CellTupleSizes.push_back(info.GetTupleSize());
-      }
-    }
-    this->CellColumns.emplace_back();
-    this->CellTupleSizes.push_back(sizeof(vtkIdType));
-  }
-
-  bool LoadPoints()
-  {
-    this->Points.reserve(this->Stream.GetNumberOfPoints());
-    vtkMTTriangleStream::PointBlock block;
-    while (this->Stream.NextPoints(block))
-    {
-      if (block.Points.empty())
-      {
-        return true;
-      }
-      for (WorldPoint x : block.Points)
-      {
-        for (double& coordinate : x)
-        {
-          coordinate += 0.0; // minus zero is zero: the same place
-        }
-        this->Points.push_back(x);
-      }
-      for (std::size_t i = 0; i < this->PointColumns.size(); ++i)
-      {
-        Append(this->PointColumns[i], block.Columns[i]);
-      }
-    }
-    return false;
-  }
-
-  bool LoadTriangles()
-  {
-    this->Triangles.reserve(this->Stream.GetNumberOfTriangles());
-    vtkMTTriangleStream::TriangleBlock block;
-    while (this->Stream.NextTriangles(block))
-    {
-      if (block.Triangles.empty())
-      {
-        return true;
-      }
-      this->Result.InputTriangles += block.Triangles.size();
-      for (std::size_t t = 0; t < block.Triangles.size(); ++t)
-      {
-        if (const char* reason = this->FindFault(block.Triangles[t]))
-        {
-          ++this->Result.Report[reason];
-        }
-        else
-        {
-          this->KeepTriangle(block, t);
-        }
-      }
-    }
-    return false;
-  }
-
-  const char* FindFault(const std::array<std::uint64_t, 3>& t) const
-  {
-    for (std::uint64_t p : t)
-    {
-      if (p >= this->Points.size())
-      {
-        return "dropped_index_out_of_range";
-      }
-    }
-    for (std::uint64_t p : t)
-    {
-      const WorldPoint& x = this->Points[p];
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-      {
-        return "dropped_not_finite";
-      }
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      if (this->Points[t[c]] == this->Points[t[(c + 1) % 3]])
-      {
-        return "dropped_degenerate";
-      }
-    }
-    return nullptr;
-  }
-
-  void KeepTriangle(const vtkMTTriangleStream::TriangleBlock& block, std::size_t t)
-  {
-    const auto& indices = block.Triangles[t];
-    this->Triangles.push_back({ static_cast<std::uint32_t>(indices[0]), static_cast<std::uint32_t>(indices[1]),
-      static_cast<std::uint32_t>(indices[2]) });
-    for (std::size_t i = 0; i + 1 < this->CellColumns.size(); ++i)
-    {
-      const auto tuple = block.Columns[i].begin() + static_cast<std::ptrdiff_t>(t * this->CellTupleSizes[i]);
-      this->CellColumns[i].insert(
-        this->CellColumns[i].end(), tuple, tuple + static_cast<std::ptrdiff_t>(this->CellTupleSizes[i]));
-    }
-    const vtkIdType id = block.CellIds[t];
-    const auto* bytes = reinterpret_cast<const unsigned char*>(&id);
-    this->CellColumns.back().insert(this->CellColumns.back().end(), bytes, bytes + sizeof(id));
-  }
-
-  vtkMTTriangleStream& Stream;
-  vtkMTInputMesh& Result;
-  std::vector<std::size_t> CellTupleSizes;
-};
-
-// Makes points and wedges of the input's points: wedges of one point are those with the same root.
-class WedgeMaker
-{
-public:
-  WedgeMaker(const Loader& input, const std::vector<std::uint32_t>& root, std::vector<std::size_t> tupleSizes)
-    : Input(input)
-    , Root(root)
-    , TupleSizes(std::move(tupleSizes))
-  {
-  }
-
-  // Fills points' places later: gives, for each new point, the input point that stands for it.
-  std::vector<std::uint32_t> Run(vtkMTPatch& mesh)
-  {
-    const std::size_t count = this->Input.Points.size();
-    std::vector<unsigned char> used(count, 0);
-    for (const Indices& t : this->Input.Triangles)
-    {
-      used[t[0]] = used[t[1]] = used[t[2]] = 1;
-    }
-    this->SortByRoot(used);
-    std::vector<std::uint32_t> wedgeOf(count, None);
-    std::vector<std::uint32_t> representatives;
-    std::vector<std::uint32_t> wedgeInput; // per wedge the input point that gives its values
-    for (std::size_t begin = 0; begin < this->Sorted.size();)
-    {
-      const std::uint32_t root = this->Root[this->Sorted[begin]];
-      const std::size_t firstWedge = wedgeInput.size();
-      for (; begin < this->Sorted.size() && this->Root[this->Sorted[begin]] == root; ++begin)
-      {
-        const std::uint32_t p = this->Sorted[begin];
-        std::size_t w = firstWedge;
-        while (w < wedgeInput.size() && !this->AreValuesEqual(wedgeInput[w], p))
-        {
-          ++w;
-        }
-        if (w == wedgeInput.size())
-        {
-          wedgeInput.push_back(p);
-          mesh.WedgePoints.push_back(static_cast<std::uint32_t>(representatives.size()));
-        }
-        wedgeOf[p] = static_cast<std::uint32_t>(w);
-      }
-      representatives.push_back(root);
-    }
-    if (mesh.WedgePoints.size() == representatives.size())
-    {
-      mesh.WedgePoints.clear();
-    }
-    this->CopyValues(wedgeInput, mesh);
-    mesh.Triangles.reserve(this->Input.Triangles.size());
-    for (const Indices& t : this->Input.Triangles)
-    {
-      mesh.Triangles.push_back({ wedgeOf[t[0]], wedgeOf[t[1]], wedgeOf[t[2]] });
-    }
-    return representatives;
-  }
-
-private:
-  // Used points in order of root, then index.
-  void SortByRoot(const std::vector<unsigned char>& used)
-  {
-    for (std::uint32_t p = 0; p < used.size(); ++p)
-    {
-      if (used[p])
-      {
-        this->Sorted.push_back(p);
-      }
-    }
-    std::stable_sort(this->Sorted.begin(), this->Sorted.end(),
-      [this](std::uint32_t a, std::uint32_t b) { return this->Root[a] < this->Root[b]; });
-  }
-
-  bool AreValuesEqual(std::uint32_t a, std::uint32_t b) const
-  {
-    for (std::size_t i = 0; i < this->TupleSizes.size(); ++i)
-    {
-      const unsigned char* values = this->Input.PointColumns[i].data();
-      if (std::memcmp(values + a * this->TupleSizes[i], values + b * this->TupleSizes[i], this->TupleSizes[i]) != 0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void CopyValues(const std::vector<std::uint32_t>& wedgeInput, vtkMTPatch& mesh) const
-  {
-    mesh.PointColumns.resize(this->TupleSizes.size());
-    for (std::size_t i = 0; i < this->TupleSizes.size(); ++i)
-    {
-      const std::size_t size = this->TupleSizes[i];
-      mesh.PointColumns[i].resize(wedgeInput.size() * size);
-      for (std::size_t w = 0; w < wedgeInput.size(); ++w)
-      {
-        std::memcpy(
-          mesh.PointColumns[i].data() + w * size, this->Input.PointColumns[i].data() + wedgeInput[w] * size, size);
-      }
-    }
-  }
-
-  const Loader& Input;
-  const std::vector<std::uint32_t>& Root;
-  const std::vector<std::size_t> TupleSizes;
-  std::vector<std::uint32_t> Sorted;
-};
-
-// The lattice for the used points, and these snapped to it.
-void Snap(const std::vector<WorldPoint>& points, const std::vector<std::uint32_t>& representatives, int bits,
-  vtkMTInputMesh& result)
-{
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  double bounds[6] = { inf, -inf, inf, -inf, inf, -inf };
-  for (std::uint32_t p : representatives)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      bounds[2 * i] = std::min(bounds[2 * i], points[p][i]);
-      bounds[2 * i + 1] = std::max(bounds[2 * i + 1], points[p][i]);
-    }
-  }
-  result.Lattice = vtkMTLattice::FromBounds(bounds, bits);
-  double largest = 0.0; // in steps, so that the square neither underflows nor overflows at extreme scales
-  result.Mesh.Points.reserve(representatives.size());
-  for (std::uint32_t p : representatives)
-  {
-    const vtkMTPoint k = result.Lattice.Snap(points[p].data());
-    result.Mesh.Points.push_back(k);
-    const WorldPoint snapped = result.Lattice.ToWorld(k);
-    double shift2 = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double shift = (snapped[i] - points[p][i]) / result.Lattice.Step;
-      shift2 += shift * shift;
-    }
-    largest = std::max(largest, shift2);
-  }
-  // Four roundings at most: 2^-50 covers them.
-  result.Lattice.MaximumShift = std::sqrt(largest) * (1.0 + std::ldexp(1.0, -50)) * result.Lattice.Step;
-}
-
-void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::int64_t count)
+void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::uint64_t count)
 {
   if (count > 0)
   {
-    report[reason] += count;
+    report[reason] += static_cast<std::int64_t>(count);
   }
-}
-
-void Orient(vtkMTInputMesh& result)
-{
-  const vtkMTOrientation orientation = vtkMTOrientation::Run(result.Mesh);
-  for (std::uint32_t t : orientation.Reversed)
-  {
-    std::swap(result.Mesh.Triangles[t][1], result.Mesh.Triangles[t][2]);
-  }
-  Count(result.Report, "reoriented_triangles", static_cast<std::int64_t>(orientation.Reversed.size()));
-  Count(result.Report, "not_orientable_triangles", static_cast<std::int64_t>(orientation.NonOrientableTriangles));
-}
-
-void AddNormals(vtkMTInputMesh& result)
-{
-  const std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(result.Mesh);
-  const std::size_t wedges = result.Mesh.GetNumberOfWedges();
-  vtkMTColumn column(wedges * sizeof(normals[0]));
-  for (std::uint32_t w = 0; w < wedges; ++w)
-  {
-    std::memcpy(column.data() + w * sizeof(normals[0]), &normals[result.Mesh.GetPointOfWedge(w)], sizeof(normals[0]));
-  }
-  result.Mesh.PointColumns.push_back(std::move(column));
-  vtkMTArrayInfo info;
-  info.Name = "Normals";
-  const auto isTaken = [&info](const vtkMTArrayInfo& other)
-  { return other.Association == vtkMTArrayInfo::Point && other.Name == info.Name; };
-  while (std::any_of(result.Arrays.begin(), result.Arrays.end(), isTaken))
-  {
-    info.Name = "Made" + info.Name;
-  }
-  info.Type = VTK_FLOAT;
-  info.Components = 3;
-  info.Resampling = vtkMTArrayInfo::Direction;
-  info.Role = vtkMTArrayInfo::MadeNormals;
-  info.Attribute = vtkDataSetAttributes::NORMALS;
-  result.Arrays.push_back(info);
-}
-
-bool LeaveOutFarOutliers(Loader& input, int latticeBits, vtkMTInputMesh& result, std::string& error)
-{
-  const vtkMTFarOutliers outliers = vtkMTFarOutliers::Find(input.Points, input.Triangles, latticeBits);
-  if (outliers.IsRefused)
-  {
-    error = outliers.Message;
-    return false;
-  }
-  input.RemoveTriangles(outliers.Triangles);
-  result.Warning = outliers.Message;
-  Count(result.Report, "dropped_far_outlier", static_cast<std::int64_t>(outliers.Triangles.size()));
-  return true;
-}
-
-// The part of each triangle; empty where there is only one.
-std::vector<std::int32_t> GetParts(
-  const std::vector<vtkMTArrayInfo>& arrays, const std::vector<vtkMTColumn>& cellColumns)
-{
-  std::size_t column = 0;
-  for (const vtkMTArrayInfo& info : arrays)
-  {
-    if (info.Association != vtkMTArrayInfo::Cell)
-    {
-      continue;
-    }
-    if (info.Name == "PartId" && info.Type == VTK_INT && info.Components == 1)
-    {
-      std::vector<std::int32_t> parts(cellColumns[column].size() / sizeof(std::int32_t));
-      std::memcpy(parts.data(), cellColumns[column].data(), parts.size() * sizeof(parts[0]));
-      return parts;
-    }
-    ++column;
-  }
-  return {};
 }
 
 vtkMTArrayInfo MakeCellIdInfo()
@@ -447,63 +44,476 @@ vtkMTArrayInfo MakeCellIdInfo()
   info.Role = vtkMTArrayInfo::InputCellIds;
   return info;
 }
+
+vtkMTArrayInfo MakeNormalInfo(const std::vector<vtkMTArrayInfo>& others)
+{
+  vtkMTArrayInfo info;
+  info.Name = "Normals";
+  const auto isTaken = [&info](const vtkMTArrayInfo& other)
+  { return other.Association == vtkMTArrayInfo::Point && other.Name == info.Name; };
+  while (std::any_of(others.begin(), others.end(), isTaken))
+  {
+    info.Name = "Made" + info.Name;
+  }
+  info.Type = VTK_FLOAT;
+  info.Components = 3;
+  info.Resampling = vtkMTArrayInfo::Direction;
+  info.Role = vtkMTArrayInfo::MadeNormals;
+  info.Attribute = vtkDataSetAttributes::NORMALS;
+  return info;
 }
 
-bool vtkMTInputMesh::Read(
-  vtkMTTriangleStream& stream, int latticeBits, bool makeNormals, std::string& error, bool keepFarOutliers)
+bool HasNormals(const std::vector<vtkMTArrayInfo>& arrays)
 {
-  *this = vtkMTInputMesh();
-  Loader input(stream, *this);
-  if (!input.Load(error))
+  return std::any_of(arrays.begin(), arrays.end(),
+    [](const vtkMTArrayInfo& info)
+    { return info.Association == vtkMTArrayInfo::Point && info.Attribute == vtkDataSetAttributes::NORMALS; });
+}
+
+// Which of the cell arrays says of what part a triangle is; -1: none.
+int FindPartColumn(const std::vector<vtkMTArrayInfo>& arrays)
+{
+  int column = -1;
+  for (const vtkMTArrayInfo& info : arrays)
   {
-    return false;
-  }
-  for (const auto& [reason, count] : stream.GetReport())
-  {
-    Count(this->Report, reason.c_str(), count);
-  }
-  if (input.Triangles.empty())
-  {
-    error = this->InputTriangles == 0 ? "the input has no triangles"
-                                      : "none of the input's " + std::to_string(this->InputTriangles) +
-        " triangles is usable (all are degenerate, not finite, or refer to points that do not exist)";
-    return false;
-  }
-  if (!keepFarOutliers && !LeaveOutFarOutliers(input, latticeBits, *this, error))
-  {
-    return false;
-  }
-  this->Arrays = stream.GetArrays();
-  std::vector<std::size_t> pointTupleSizes;
-  bool hasNormals = false;
-  for (const vtkMTArrayInfo& info : this->Arrays)
-  {
-    if (info.Association == vtkMTArrayInfo::Point)
+    column += info.Association == vtkMTArrayInfo::Cell ? 1 : 0;
+    if (info.Association == vtkMTArrayInfo::Cell && info.Name == "PartId" && info.Type == VTK_INT &&
+      info.Components == 1)
     {
-      pointTupleSizes.push_back(info.GetTupleSize());
-      hasNormals = hasNormals || info.Attribute == vtkDataSetAttributes::NORMALS;
+      return column;
     }
   }
-  this->Arrays.push_back(MakeCellIdInfo());
+  return -1;
+}
+}
 
-  const vtkMTStitch stitch = vtkMTStitch::Run(input.Points, input.Triangles, GetParts(this->Arrays, input.CellColumns));
-  const std::vector<std::uint32_t> representatives = WedgeMaker(input, stitch.Root, pointTupleSizes).Run(this->Mesh);
-  this->Mesh.CellColumns = std::move(input.CellColumns);
-  Snap(input.Points, representatives, latticeBits, *this);
-  Orient(*this);
-  if (makeNormals && !hasNormals)
+class vtkMTInputMesh::Internals
+{
+public:
+  explicit Internals(const vtkMTBuildSettings& settings)
+    : Settings(settings)
   {
-    AddNormals(*this);
   }
-  Count(this->Report, "stitched_edges", stitch.StitchedEdges);
-  Count(this->Report, "stitched_points", stitch.StitchedPoints);
-  Count(this->Report, "seam_wedges",
-    static_cast<std::int64_t>(this->Mesh.GetNumberOfWedges()) - static_cast<std::int64_t>(this->Mesh.Points.size()));
-  std::vector<unsigned char> isUsed(input.Points.size(), 0);
-  for (const Indices& t : input.Triangles)
+
+  bool Read(vtkMTTriangleStream& stream, vtkMTBuildState& state)
   {
-    isUsed[t[0]] = isUsed[t[1]] = isUsed[t[2]] = 1;
+    this->State = &state;
+    vtkMTInputSpool input(this->Settings);
+    vtkMTFarOutliers outliers(this->Settings.LatticeBits, *this->Settings.Store, this->Settings.SortMemory / 2);
+    const auto visit = [&](const vtkMTInputBlock& block)
+    { return outliers.Add(block) || this->Fail(outliers.GetError()); };
+    if (!input.Load(stream, visit))
+    {
+      this->Aborted = input.WasAborted();
+      return this->Error.empty() ? this->Fail(input.GetError()) : false;
+    }
+    state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
+    if (!this->CheckTriangles(input) || !this->FindOutliers(input, outliers))
+    {
+      return false;
+    }
+    this->SetUpArrays(stream);
+    state.Graph.InputTriangles = input.GetInputTriangles();
+    state.Graph.InputReport = input.GetReport();
+    state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
+    state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
+    vtkMTStitch stitch(*this->Settings.Store, this->Settings.SortMemory / 4);
+    this->Regions = std::make_unique<vtkMTInputRegions>(this->Settings, input, this->Settings.SortMemory / 4 * 3);
+    if (!this->SortIntoRegions(input, stitch) || !this->MakeFragments(input))
+    {
+      return false;
+    }
+    this->Report(stream, input, stitch);
+    return this->FinishFragments();
   }
-  Count(this->Report, "isolated_points", std::count(isUsed.begin(), isUsed.end(), 0));
-  return true;
+
+  std::string Error;
+  std::string Warning;
+  bool Aborted = false;
+
+private:
+  bool Fail(const std::string& error)
+  {
+    this->Error = error;
+    return false;
+  }
+
+  bool Continue(const char* step, std::uint64_t done)
+  {
+    this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State->LevelTriangles[0] });
+    return !this->Aborted || this->Fail("aborted");
+  }
+
+  bool CheckTriangles(const vtkMTInputSpool& input)
+  {
+    if (input.GetNumberOfTriangles() > 0)
+    {
+      return true;
+    }
+    return this->Fail(input.GetInputTriangles() == 0
+        ? "the input has no triangles"
+        : "none of the input's " + std::to_string(input.GetInputTriangles()) +
+          " triangles is usable (all are degenerate, not finite, or refer to points that do not exist)");
+  }
+
+  bool FindOutliers(vtkMTInputSpool& input, vtkMTFarOutliers& outliers)
+  {
+    bool good = outliers.FinishStep();
+    vtkMTInputBlock block;
+    while (good && !outliers.IsFinished() && !this->Settings.KeepFarOutliers)
+    {
+      for (std::size_t i = 0; good && i < input.GetNumberOfBlocks(); ++i)
+      {
+        good = (input.ReadBlock(i, block) || this->Fail(input.GetError())) && outliers.Add(block) &&
+          this->Continue("looking for far outliers", i * vtkMTInputBlock::Size);
+      }
+      good = good && outliers.FinishStep();
+    }
+    if (!good || outliers.IsRefused())
+    {
+      return this->Error.empty() ? this->Fail(outliers.GetError() + outliers.GetMessage()) : false;
+    }
+    this->Warning = outliers.GetMessage();
+    input.LeaveOut([&outliers](const vtkMTInputBlock& of, const vtkMTInputBlock::Triangle& t)
+      { return outliers.IsFar(of, t); },
+      "dropped_far_outlier", outliers.GetNumberOfOutliers());
+    return true;
+  }
+
+  void SetUpArrays(const vtkMTTriangleStream& stream)
+  {
+    std::vector<vtkMTArrayInfo>& arrays = this->State->Graph.Arrays;
+    arrays = stream.GetArrays();
+    this->MakesNormals = this->Settings.MakeNormals && !HasNormals(arrays);
+    arrays.push_back(MakeCellIdInfo());
+    if (this->MakesNormals)
+    {
+      arrays.push_back(MakeNormalInfo(arrays));
+    }
+  }
+
+  void Report(const vtkMTTriangleStream& stream, const vtkMTInputSpool& input, const vtkMTStitch& stitch)
+  {
+    std::map<std::string, std::int64_t>& report = this->State->Graph.InputReport;
+    for (const auto& [reason, count] : stream.GetReport())
+    {
+      Count(report, reason.c_str(), static_cast<std::uint64_t>(count));
+    }
+    Count(report, "stitched_edges", static_cast<std::uint64_t>(stitch.GetStitchedEdges()));
+    Count(report, "stitched_points", static_cast<std::uint64_t>(stitch.GetStitchedPoints()));
+    Count(report, "seam_wedges", this->Regions->GetSeamWedges());
+    Count(report, "isolated_points", input.GetNumberOfPoints() - this->Regions->GetUsedPoints());
+  }
+
+  //----------------------------------------------------------------------------
+  // Psi_0
+  bool SortIntoRegions(vtkMTInputSpool& input, vtkMTStitch& stitch)
+  {
+    vtkMTBarycentreSpool scan;
+    if (!scan.Begin(*this->Settings.Store, "input-barycentres", this->Error) ||
+      !this->PutBarycentres(input, stitch, scan) || !scan.Seal(this->Error))
+    {
+      return false;
+    }
+    scan.SetContinue([this] { return this->Continue("placing regions", 0); });
+    const auto partition = this->Settings.Partition->Build(scan, this->Settings.GetRegionTarget(), 0);
+    if (!partition)
+    {
+      return this->Aborted ? false : this->Fail("the partition of level 0 could not be made: " + scan.GetError());
+    }
+    scan.Remove();
+    this->NumberOfRegions = partition->GetNumberOfRegions();
+    if (this->NumberOfRegions > vtkMTPatchSplitter::MaximumRegions)
+    {
+      return this->Fail("the partition of level 0 has more regions than identities allow");
+    }
+    vtkMTInputBlock block;
+    std::vector<std::uint32_t> regions;
+    std::uint64_t done = 0;
+    for (std::size_t i = 0; i < input.GetNumberOfBlocks(); ++i)
+    {
+      if (!input.ReadBlock(i, block))
+      {
+        return this->Fail(input.GetError());
+      }
+      this->Locate(*partition, this->GetBarycentres(block), regions);
+      done += regions.size();
+      if (!this->Regions->Add(block, regions) || !this->Continue("sorting into regions", done))
+      {
+        return this->Error.empty() ? this->Fail(this->Regions->GetError()) : false;
+      }
+    }
+    input.ForgetBlocks();
+    const bool found = this->Regions->FindPoints(stitch, this->State->Graph.Lattice);
+    input.ForgetPoints();
+    this->Aborted = this->Regions->WasAborted();
+    return found || this->Fail(this->Regions->GetError());
+  }
+
+  // In the same pass: stitching, and the largest shift to the lattice.
+  bool PutBarycentres(vtkMTInputSpool& input, vtkMTStitch& stitch, vtkMTBarycentreSpool& scan)
+  {
+    const int partColumn = FindPartColumn(this->State->Graph.Arrays);
+    vtkMTLattice& lattice = this->State->Graph.Lattice;
+    double largest = 0.0; // in steps, so that the square neither underflows nor overflows at extreme scales
+    vtkMTInputBlock block;
+    for (std::size_t i = 0; i < input.GetNumberOfBlocks(); ++i)
+    {
+      if (!input.ReadBlock(i, block))
+      {
+        return this->Fail(input.GetError());
+      }
+      if (!stitch.Add(block, partColumn))
+      {
+        return this->Fail(stitch.GetError());
+      }
+      const std::vector<unsigned char> used = block.GetUsed();
+      for (std::size_t p = 0; p < used.size(); ++p)
+      {
+        largest = used[p] ? std::max(largest, GetShift2(lattice, block.Places[p])) : largest;
+      }
+      if (!scan.Put(this->GetBarycentres(block), this->Error) ||
+        !this->Continue("finding barycentres", i * vtkMTInputBlock::Size))
+      {
+        return false;
+      }
+    }
+    // Four roundings at most: 2^-50 covers them.
+    lattice.MaximumShift = std::sqrt(largest) * (1.0 + std::ldexp(1.0, -50)) * lattice.Step;
+    return stitch.Finish() || this->Fail(stitch.GetError());
+  }
+
+  static double GetShift2(const vtkMTLattice& lattice, const vtkMTInputBlock::Place& place)
+  {
+    const std::array<double, 3> snapped = lattice.ToWorld(lattice.Snap(place.data()));
+    double shift2 = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double shift = (snapped[i] - place[i]) / lattice.Step;
+      shift2 += shift * shift;
+    }
+    return shift2;
+  }
+
+  std::vector<Barycentre> GetBarycentres(const vtkMTInputBlock& block) const
+  {
+    vtkMTPatch mesh;
+    mesh.Triangles = block.Triangles;
+    for (const vtkMTInputBlock::Place& place : block.Places)
+    {
+      mesh.Points.push_back(this->State->Graph.Lattice.Snap(place.data()));
+    }
+    return vtkMTBarycentreSpool::GetBarycentres(mesh);
+  }
+
+  void Locate(const vtkMTPartition& partition, const std::vector<Barycentre>& barycentres,
+    std::vector<std::uint32_t>& regions) const
+  {
+    regions.resize(barycentres.size());
+    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(regions.size());
+#pragma omp parallel for num_threads(this->Settings.Threads) schedule(static)
+    for (std::ptrdiff_t t = 0; t < count; ++t)
+    {
+      regions[t] = partition.Locate(barycentres[t]);
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  // Fragments, but for what depends on other fragments
+  struct Making
+  {
+    vtkMTInputRegions::Region Records;
+    vtkMTInputFragment Fragment;
+    std::vector<Barycentre> Barycentres;
+  };
+
+  bool MakeFragments(const vtkMTInputSpool& input)
+  {
+    vtkMTBuildState& state = *this->State;
+    const vtkMTInputFragment::Layout layout{ this->Regions->GetTriangleSize(), this->Regions->GetPointSize(),
+      input.GetPointTupleSizes(), input.GetCellTupleSizes(), this->MakesNormals };
+    vtkMTSpoolStore& store = *this->Settings.Store;
+    const std::size_t memory = this->Settings.SortMemory / 8;
+    this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);
+    this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory);
+    if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
+      !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
+    {
+      return false;
+    }
+    std::vector<Making> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+    std::uint64_t done = 0;
+    const bool made = this->ForAllRegions(
+      [&](std::size_t region, std::size_t slot, std::string& error)
+      {
+        slots[slot] = Making();
+        const bool taken = this->Regions->Take(static_cast<std::uint32_t>(region), slots[slot].Records);
+        error = taken ? error : this->Regions->GetError();
+        return taken;
+      },
+      [&](std::size_t region, std::size_t slot, std::string&)
+      {
+        Making& making = slots[slot];
+        making.Fragment.Make(static_cast<std::uint32_t>(region), std::move(making.Records), layout);
+        making.Barycentres = vtkMTBarycentreSpool::GetBarycentres(making.Fragment.Mesh);
+        return true;
+      },
+      [&](std::size_t region, std::size_t slot, std::string& error)
+      {
+        done += slots[slot].Barycentres.size();
+        return this->PutMade(region, slots[slot], error) && this->Continue("making fragments", done);
+      });
+    return made && this->Fragments.Seal(this->Error) && state.Barycentres.Seal(this->Error);
+  }
+
+  bool PutMade(std::size_t region, Making& making, std::string& error)
+  {
+    if (making.Fragment.Mesh.Triangles.empty())
+    {
+      return true;
+    }
+    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Pieces))
+    {
+      error = this->Orientation->GetError();
+      return false;
+    }
+    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Pieces))
+    {
+      error = this->Normals->GetError();
+      return false;
+    }
+    Bytes mesh;
+    Bytes orientation;
+    making.Fragment.Encode(mesh, orientation);
+    return this->Fragments.Put(region, mesh.data(), mesh.size(), error) &&
+      this->Fragments.Put(region, orientation.data(), orientation.size(), error) &&
+      this->State->Barycentres.Put(making.Barycentres, error);
+  }
+
+  //----------------------------------------------------------------------------
+  // And that
+  struct Finishing
+  {
+    vtkMTInputFragment Fragment;
+    std::vector<std::array<float, 3>> SharedNormals;
+    Bytes Record;
+  };
+
+  bool FinishFragments()
+  {
+    vtkMTBuildState& state = *this->State;
+    this->Regions.reset();
+    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation))
+    {
+      return this->Fail(this->Orientation->GetError() + this->Normals->GetError());
+    }
+    Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetReversedTriangles());
+    Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNonOrientableTriangles());
+    if (!state.Fragments.Begin(
+          *this->Settings.Store, vtkMTBuildState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
+    {
+      return false;
+    }
+    std::vector<Finishing> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+    std::uint64_t done = 0;
+    const bool finished = this->ForAllRegions([&](std::size_t region, std::size_t slot, std::string& error)
+      { return this->Fetch(static_cast<std::uint32_t>(region), slots[slot], error); },
+      [&](std::size_t, std::size_t slot, std::string&)
+      {
+        this->Finish(slots[slot]);
+        return true;
+      },
+      [&](std::size_t region, std::size_t slot, std::string& error)
+      {
+        done += slots[slot].Fragment.Mesh.Triangles.size();
+        const Bytes& record = slots[slot].Record;
+        return (record.empty() || state.Fragments.Put(region, record.data(), record.size(), error)) &&
+          this->Continue("finishing fragments", done);
+      });
+    this->Fragments.Remove();
+    state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTBuildState::None);
+    return finished && state.Fragments.Seal(this->Error);
+  }
+
+  bool Fetch(std::uint32_t region, Finishing& finishing, std::string& error)
+  {
+    finishing = Finishing();
+    std::vector<Bytes> records;
+    if (!this->Fragments.Take(region, records, error))
+    {
+      return false;
+    }
+    if (records.size() == 2 && !finishing.Fragment.Decode(records[0], records[1], error))
+    {
+      return false;
+    }
+    finishing.SharedNormals.resize(finishing.Fragment.Mesh.Ids.size());
+    const bool taken =
+      !this->MakesNormals || this->Normals->Take(region, finishing.Fragment.Mesh, finishing.SharedNormals);
+    error = taken ? error : this->Normals->GetError();
+    return taken;
+  }
+
+  void Finish(Finishing& finishing) const
+  {
+    vtkMTInputFragment& fragment = finishing.Fragment;
+    if (fragment.Mesh.Triangles.empty())
+    {
+      return;
+    }
+    fragment.TurnRound(*this->Orientation);
+    if (this->MakesNormals)
+    {
+      std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(fragment.Mesh);
+      std::copy(finishing.SharedNormals.begin(), finishing.SharedNormals.end(), normals.begin());
+      fragment.AddNormals(normals);
+    }
+    vtkMTRegionStep::AppendReachOfInput(fragment.Mesh);
+    vtkMTPatchRecord::Encode(fragment.Mesh, finishing.Record);
+  }
+
+  bool ForAllRegions(
+    const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
+  {
+    std::string error;
+    const bool done = vtkMTOrderedWork::Run(this->NumberOfRegions, this->Settings.Threads, fetch, work, take, error);
+    this->Error = error.empty() ? this->Error : error;
+    return done;
+  }
+
+  const vtkMTBuildSettings& Settings;
+  vtkMTBuildState* State = nullptr;
+  bool MakesNormals = false;
+  std::uint32_t NumberOfRegions = 0;
+  std::unique_ptr<vtkMTInputRegions> Regions;
+  std::unique_ptr<vtkMTOrientation> Orientation;
+  std::unique_ptr<vtkMTSharedNormals> Normals;
+  vtkMTRecordSpool Fragments; // by region, with their orientation
+};
+
+vtkMTInputMesh::vtkMTInputMesh(const vtkMTBuildSettings& settings)
+  : Implementation(std::make_unique<Internals>(settings))
+{
+}
+
+vtkMTInputMesh::~vtkMTInputMesh() = default;
+
+bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, vtkMTBuildState& state)
+{
+  return this->Implementation->Read(stream, state);
+}
+
+const std::string& vtkMTInputMesh::GetError() const
+{
+  return this->Implementation->Error;
+}
+
+const std::string& vtkMTInputMesh::GetWarning() const
+{
+  return this->Implementation->Warning;
+}
+
+bool vtkMTInputMesh::WasAborted() const
+{
+  return this->Implementation->Aborted;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTInputMesh
- * @brief the builder's input, whole in memory: checked, snapped to the lattice, stitched, with wedges
+ * @brief makes mesh M_0 of a triangle stream: checked, snapped to the lattice, stitched, with wedges, in fragments
  *
  * Triangles that cannot be part of a surface are dropped and counted: with an index out of range
  * ("dropped_index_out_of_range"), a coordinate that is not finite ("dropped_not_finite") or two corners at one place
@@ -12,33 +12,40 @@
  * different parts, which are never stitched to each other. Parts with mixed windings are oriented as most of their
  * triangles are
  * ("reoriented_triangles", vtkMTOrientation); parts that cannot be stay as they are ("not_orientable_triangles").
+ *
+ * The stream is read once. All that grows with the mesh is in spools and external sorts; one block of the input, or one
+ * region, is in memory at a time. The result does not depend on the memory that they are given.
  */
 #ifndef vtkMTInputMesh_h
 #define vtkMTInputMesh_h
 
+#include "vtkMTBuildSettings.h"
 #include "vtkMTConstructionModule.h" // For export macro
-#include "vtkMTPatch.h"
 
-#include <cstdint>
-#include <map>
+#include <memory>
 #include <string>
-#include <vector>
 
+class vtkMTBuildState;
 class vtkMTTriangleStream;
 
-struct VTKMTCONSTRUCTION_EXPORT vtkMTInputMesh
+class VTKMTCONSTRUCTION_EXPORT vtkMTInputMesh
 {
-  vtkMTLattice Lattice;
-  vtkMTPatch Mesh;                    ///< without ids: a point's identity is its index
-  std::vector<vtkMTArrayInfo> Arrays; ///< the stream's, then the input cell ids, then the made normals, if any
-  std::uint64_t InputTriangles = 0;
-  std::map<std::string, std::int64_t> Report;
-  std::string Warning; ///< what a person should know of the input; empty as a rule
+public:
+  explicit vtkMTInputMesh(const vtkMTBuildSettings& settings);
+  ~vtkMTInputMesh();
 
-  /// False with a message in error; an input without a usable triangle is an error, and so is one with more than a few
-  /// far outliers unless they are to be kept.
-  bool Read(
-    vtkMTTriangleStream& stream, int latticeBits, bool makeNormals, std::string& error, bool keepFarOutliers = false);
+  /// Fills a state that has just been made. False with a message in GetError; an input without a usable triangle is an
+  /// error, and so is one with more than a few far outliers unless they are to be kept.
+  bool Read(vtkMTTriangleStream& stream, vtkMTBuildState& state);
+
+  const std::string& GetError() const;
+  /// What a person should know of the input; empty as a rule.
+  const std::string& GetWarning() const;
+  bool WasAborted() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Implementation;
 };
 
 #endif

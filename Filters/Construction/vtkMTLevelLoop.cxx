@@ -2,123 +2,54 @@
 #include "vtkMTLevelLoop.h"
 
 #include "vtkMTArcRecord.h"
-#include "vtkMTInputMesh.h"
+#include "vtkMTBuildState.h"
+#include "vtkMTBytes.h"
+#include "vtkMTLocks.h"
+#include "vtkMTOrderedWork.h"
 #include "vtkMTPartitionStrategy.h"
+#include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSink.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTRegionStep.h"
 #include "vtkMTSimplifier.h"
 #include "vtkMTSliverMerge.h"
-#include "vtkMTSpool.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
-
-#include <omp.h>
 
 namespace
 {
-constexpr std::uint32_t None = ~std::uint32_t(0);
-using Barycentre = std::array<double, 3>;
+constexpr std::uint32_t None = vtkMTBuildState::None;
+constexpr std::uint32_t MaximumLevels = 60; // identities have room for 61
 
-std::vector<Barycentre> GetBarycentres(const vtkMTPatch& mesh)
-{
-  std::vector<Barycentre> result(mesh.Triangles.size());
-  for (std::size_t t = 0; t < result.size(); ++t)
-  {
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    for (int i = 0; i < 3; ++i)
-    {
-      // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
-      const std::int64_t sum = std::int64_t(mesh.Points[p[0]][i]) + mesh.Points[p[1]][i] + mesh.Points[p[2]][i];
-      result[t][i] = static_cast<double>(sum) / 3.0;
-    }
-  }
-  return result;
-}
-
-// The barycentres of a level's mesh, fragment by fragment.
-class FragmentScan : public vtkMTBarycentreScan
-{
-public:
-  std::vector<std::vector<Barycentre>> Fragments;
-
-  std::size_t GetNumberOfTriangles() const override
-  {
-    std::size_t sum = 0;
-    for (const auto& fragment : this->Fragments)
-    {
-      sum += fragment.size();
-    }
-    return sum;
-  }
-  bool Scan(const Block& block) override
-  {
-    for (const auto& fragment : this->Fragments)
-    {
-      if (!fragment.empty())
-      {
-        block(fragment.data(), fragment.size());
-      }
-    }
-    return true;
-  }
-};
-
-struct NodeRecord
-{
-  std::uint32_t Level;
-  std::uint32_t Region;
-  double Error;
-  double EdgeLength;
-};
-
-struct ArcRecord
-{
-  vtkMTArc Arc;
-  std::uint32_t FromNode; // index of a node record, None for the source
-  std::uint32_t ToNode;   // the same, None for the sink
-};
+using Barycentre = vtkMTBarycentreSpool::Barycentre;
+using Bytes = std::vector<unsigned char>;
 }
 
 class vtkMTLevelLoop::Internals
 {
 public:
-  Internals(const Settings& settings, vtkMTPatchSink& sink, vtkMTSpool& fragments, vtkMTSpool& patches)
+  Internals(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, const std::string& identity)
     : Options(settings)
-    , Threads(settings.NumberOfThreads > 0 ? settings.NumberOfThreads : omp_get_max_threads())
     , Sink(sink)
-    , FragmentSpool(fragments)
-    , PatchSpool(patches)
+    , Identity(identity)
   {
   }
 
-  bool Run(vtkMTInputMesh&& input)
+  bool Run(vtkMTBuildState& state)
   {
-    this->Lattice = input.Lattice;
-    this->Graph.Lattice = input.Lattice;
-    this->Graph.Arrays = input.Arrays;
-    this->CarriedArrays = input.Arrays;
+    this->State = &state;
+    this->CarriedArrays = state.Graph.Arrays;
     this->CarriedArrays.push_back(vtkMTRegionStep::GetReachInfo());
-    vtkMTRegionStep::AppendReachOfInput(input.Mesh);
-    this->Graph.InputTriangles = input.InputTriangles;
-    this->Graph.InputReport = input.Report;
-    this->InputTriangles = input.Mesh.Triangles.size();
-    if (!this->Sink.Begin(input.Arrays))
-    {
-      return this->Fail(this->Sink.GetError());
-    }
-    if (!this->MakeFirstFragments(input.Mesh))
+    if (state.Level == 0 && state.Stage == vtkMTBuildState::HasFragments && !this->Commit())
     {
       return false;
     }
-    input = vtkMTInputMesh();
-    std::uint32_t level = 0;
-    for (; !this->IsFinished(level); ++level)
+    while (state.Stage == vtkMTBuildState::HasPatches || !this->IsFinished())
     {
-      if (!this->SplitFragments(level) || !this->SimplifyRegions(level + 1))
+      const bool done = state.Stage == vtkMTBuildState::HasFragments ? this->SplitFragments() : this->SimplifyRegions();
+      if (!done || !this->Commit())
       {
         return false;
       }
@@ -128,6 +59,7 @@ public:
 
   std::string Error;
   bool Aborted = false;
+  bool HasCommitted = false;
 
 private:
   bool Fail(const std::string& error)
@@ -136,12 +68,77 @@ private:
     return false;
   }
 
-  std::unique_ptr<vtkMTPartition> MakePartition(vtkMTBarycentreScan& scan, double target, int level)
+  bool Commit()
   {
-    std::unique_ptr<vtkMTPartition> partition = this->Options.Partition->Build(scan, target, level);
+    Bytes sink;
+    if (!this->Options.Store->IsLasting() || !this->Sink.Save(sink))
+    {
+      return this->Sink.GetError().empty() || this->Fail(this->Sink.GetError());
+    }
+    Bytes state;
+    this->State->Save(state);
+    Bytes bytes;
+    vtkMTBytes::Writer writer(bytes);
+    writer.PutText(this->Identity);
+    writer.PutList(state);
+    writer.PutList(sink);
+    this->HasCommitted = this->Options.Store->Commit(bytes, this->Error) || this->HasCommitted;
+    return this->Error.empty();
+  }
+
+  bool IsFinished() const
+  {
+    const auto& counts = this->State->LevelTriangles;
+    const std::uint32_t level = this->State->Level;
+    if (this->State->NodeOfFragment.size() <= 1 && counts.back() <= this->Options.PatchTriangles)
+    {
+      return true;
+    }
+    const auto isStuck = [&counts](std::size_t i)
+    { return static_cast<double>(counts[i]) > 0.9 * static_cast<double>(counts[i - 1]); };
+    return (level >= 2 && isStuck(level) && isStuck(level - 1)) || level >= MaximumLevels;
+  }
+
+  // Every level halves, so all levels together have about twice the input's triangles.
+  double GetFraction() const
+  {
+    return std::min(1.0,
+      static_cast<double>(this->State->SimplifiedTriangles) /
+        (2.0 * static_cast<double>(this->State->LevelTriangles[0])));
+  }
+
+  bool Continue(const char* step, std::uint64_t triangles)
+  {
+    const bool goOn = this->Options.Report({ this->GetFraction(), step, this->State->Level + 1, triangles,
+      this->State->LevelTriangles[this->State->Level] });
+    this->Aborted = !goOn;
+    return goOn || this->Fail("aborted");
+  }
+
+  bool ForAll(std::size_t count, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
+  {
+    std::string error;
+    if (vtkMTOrderedWork::Run(count, this->Options.Threads, work, take, error))
+    {
+      return true;
+    }
+    this->Error = error.empty() ? this->Error : error;
+    return false;
+  }
+
+  std::size_t GetNumberOfSlots() const { return vtkMTOrderedWork::GetNumberOfSlots(this->Options.Threads); }
+
+  std::unique_ptr<vtkMTPartition> MakePartition()
+  {
+    vtkMTBarycentreSpool& scan = this->State->Barycentres;
+    const int level = static_cast<int>(this->State->Level) + 1;
+    scan.SetContinue([this] { return this->Continue("placing regions", 0); });
+    auto partition = this->Options.Partition->Build(scan, 2.0 * this->Options.GetRegionTarget(), level);
     if (!partition)
     {
-      this->Error = "the partition of level " + std::to_string(level) + " could not be made";
+      this->Error = this->Aborted
+        ? "aborted"
+        : "the partition of level " + std::to_string(level) + " could not be made: " + scan.GetError();
     }
     else if (partition->GetNumberOfRegions() > vtkMTPatchSplitter::MaximumRegions)
     {
@@ -151,189 +148,93 @@ private:
     return partition;
   }
 
-  double GetRegionTarget() const { return PatchesPerRegion * static_cast<double>(this->Options.PatchTriangles); }
-
-  // M_0, one fragment for each region of Psi_0.
-  bool MakeFirstFragments(const vtkMTPatch& mesh)
+  //----------------------------------------------------------------------------
+  // A patch on its way to the sink.
+  struct PatchToWrite
   {
-    std::vector<std::uint32_t> region;
-    std::uint32_t regions = 0;
-    {
-      FragmentScan scan;
-      scan.Fragments.push_back(GetBarycentres(mesh));
-      const auto partition = this->MakePartition(scan, this->GetRegionTarget(), 0);
-      if (!partition)
-      {
-        return false;
-      }
-      regions = partition->GetNumberOfRegions();
-      region = this->LocateAll(*partition, scan.Fragments[0]);
-    }
-    // Points that triangles of several regions use are shared from the start.
-    std::vector<std::uint32_t> user(mesh.Points.size(), None);
-    std::vector<unsigned char> isShared(mesh.Points.size(), 0);
-    std::vector<std::vector<std::uint32_t>> triangles(regions);
-    for (std::uint32_t t = 0; t < region.size(); ++t)
-    {
-      triangles[region[t]].push_back(t);
-      for (std::uint32_t p : mesh.GetPointsOfTriangle(t))
-      {
-        isShared[p] = isShared[p] || (user[p] != None && user[p] != region[t]) ? 1 : 0;
-        user[p] = region[t];
-      }
-    }
-    std::vector<std::uint64_t> ids(mesh.Points.size());
-    for (std::size_t p = 0; p < ids.size(); ++p)
-    {
-      ids[p] = vtkMTPatchSplitter::MakeInputId(p);
-    }
-    return this->PutFirstFragments(mesh, triangles, isShared, ids);
-  }
+    vtkMTArc Arc;
+    std::unique_ptr<vtkMTPatchSink::PreparedPatch> Patch;
+  };
 
-  bool PutFirstFragments(const vtkMTPatch& mesh, const std::vector<std::vector<std::uint32_t>>& triangles,
-    const std::vector<unsigned char>& isShared, const std::vector<std::uint64_t>& ids)
+  // A fragment's pieces on their way to sink and spool.
+  struct SplitResult
   {
-    std::vector<std::size_t> pointTupleSizes;
-    std::vector<std::size_t> cellTupleSizes;
-    for (const vtkMTArrayInfo& info : this->CarriedArrays)
-    {
-      (info.Association == vtkMTArrayInfo::Point ? pointTupleSizes : cellTupleSizes).push_back(info.GetTupleSize());
-    }
-    std::vector<std::uint32_t> scratch(mesh.GetNumberOfWedges() + mesh.Points.size(), None);
-    if (!this->FragmentSpool.Reset(triangles.size()))
-    {
-      return this->Fail(this->FragmentSpool.GetError());
-    }
-    this->LevelScan.Fragments.resize(triangles.size());
-    for (std::size_t r = 0; r < triangles.size(); ++r)
-    {
-      vtkMTPatch fragment =
-        vtkMTPatchSplitter::Extract(mesh, triangles[r], isShared, ids, pointTupleSizes, cellTupleSizes, scratch);
-      this->LevelScan.Fragments[r] = GetBarycentres(fragment);
-      if (!this->FragmentSpool.Put(r, std::move(fragment)))
-      {
-        return this->Fail(this->FragmentSpool.GetError());
-      }
-    }
-    this->NodeOfFragment.assign(triangles.size(), None); // the sink
-    this->LevelTriangles.push_back(this->InputTriangles);
-    return true;
-  }
+    std::size_t Triangles = 0;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> Uses;
+    std::vector<std::uint32_t> Regions; // of the pieces
+    std::vector<PatchToWrite> Patches;
+    std::vector<Bytes> Records;
+  };
 
-  std::vector<std::uint32_t> LocateAll(
-    const vtkMTPartition& partition, const std::vector<Barycentre>& barycentres) const
+  bool SplitFragments()
   {
-    std::vector<std::uint32_t> region(barycentres.size());
-    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(region.size());
-#pragma omp parallel for num_threads(this->Threads) schedule(static)
-    for (std::ptrdiff_t t = 0; t < count; ++t)
-    {
-      region[t] = partition.Locate(barycentres[t]);
-    }
-    return region;
-  }
-
-  bool IsFinished(std::uint32_t level) const
-  {
-    const auto& counts = this->LevelTriangles;
-    if (this->LevelScan.Fragments.size() <= 1 && counts.back() <= this->Options.PatchTriangles)
-    {
-      return true;
-    }
-    const auto isStuck = [&counts](std::size_t i) { return counts[i] > 0.9 * static_cast<double>(counts[i - 1]); };
-    return (level >= 2 && isStuck(level) && isStuck(level - 1)) || level >= MaximumLevels;
-  }
-
-  // Calls work(i) for a batch of indices at a time, in parallel, then finish(i) in order; both give false on failure.
-  template <class Work, class Finish>
-  bool ForAll(std::size_t count, Work&& work, Finish&& finish)
-  {
-    const std::size_t batch = 4 * static_cast<std::size_t>(this->Threads);
-    std::vector<std::string> errors(batch);
-    for (std::size_t begin = 0; begin < count; begin += batch)
-    {
-      const std::size_t size = std::min(batch, count - begin);
-#pragma omp parallel for num_threads(this->Threads) schedule(dynamic, 1)
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        errors[i].clear();
-        try
-        {
-          work(begin + i, i, errors[i]);
-        }
-        catch (const std::exception& e)
-        {
-          errors[i] = std::string("out of memory or an internal fault: ") + e.what();
-        }
-      }
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        if (!errors[i].empty())
-        {
-          return this->Fail(errors[i]);
-        }
-        if (!finish(begin + i, i))
-        {
-          return false;
-        }
-      }
-      if (this->Options.Progress && !this->Options.Progress(this->GetProgress()))
-      {
-        this->Aborted = true;
-        return this->Fail("aborted");
-      }
-    }
-    return true;
-  }
-
-  // Every level halves, so all levels together have about twice the input's triangles.
-  double GetProgress() const
-  {
-    return std::min(
-      1.0, static_cast<double>(this->SimplifiedTriangles) / (2.0 * static_cast<double>(this->InputTriangles)));
-  }
-
-  bool SplitFragments(std::uint32_t level)
-  {
-    const auto partition =
-      this->MakePartition(this->LevelScan, 2.0 * this->GetRegionTarget(), static_cast<int>(level) + 1);
+    vtkMTBuildState& state = *this->State;
+    const auto partition = this->MakePartition();
     if (!partition)
     {
       return false;
     }
-    if (!this->PatchSpool.Reset(partition->GetNumberOfRegions()))
+    if (!state.Patches.Begin(*this->Options.Store, vtkMTBuildState::GetPatchesName(state.Level),
+          partition->GetNumberOfRegions(), this->Error))
     {
-      return this->Fail(this->PatchSpool.GetError());
+      return false;
     }
-    this->LockedIds.clear();
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> uses;
-    std::vector<vtkMTPatchSplitter> splits(4 * static_cast<std::size_t>(this->Threads));
     // Nodes of the next level are numbered when their region is simplified: until then arcs hold the region.
-    this->FirstArcOfLevel = this->Arcs.size();
-    return this->ForAll(
-             this->LevelScan.Fragments.size(),
-             [&](std::size_t fragment, std::size_t slot, std::string& error)
-             { this->SplitFragment(*partition, level, fragment, splits[slot], error); },
-             [&](std::size_t fragment, std::size_t slot)
-             { return this->PutPieces(this->NodeOfFragment[fragment], splits[slot], uses); }) &&
-      this->FindLockedIds(uses);
+    state.FirstArcOfLevel = state.Arcs.size();
+    std::uint64_t triangles = 0;
+    std::vector<SplitResult> splits(this->GetNumberOfSlots());
+    vtkMTLocks locks(*this->Options.Store, this->Options.SortMemory);
+    const bool done = this->ForAll(
+      state.NodeOfFragment.size(),
+      [&](std::size_t fragment, std::size_t slot, std::string& error)
+      { return this->SplitFragment(*partition, fragment, splits[slot], error); },
+      [&](std::size_t fragment, std::size_t slot, std::string& error)
+      {
+        triangles += splits[slot].Triangles;
+        return this->PutPieces(state.NodeOfFragment[fragment], splits[slot], error) &&
+          locks.Add(splits[slot].Uses, error) && this->Continue("cutting patches", triangles);
+      });
+    if (!done || !locks.Finish(state.Patches, this->Error) || !state.Patches.Seal(this->Error))
+    {
+      return false;
+    }
+    state.NextRegions = 0;
+    for (std::size_t a = static_cast<std::size_t>(state.FirstArcOfLevel); a < state.Arcs.size(); ++a)
+    {
+      state.NextRegions = std::max(state.NextRegions, state.Arcs[a].FromNode + 1);
+    }
+    state.Fragments.Remove();
+    state.Barycentres.Remove();
+    state.Stage = vtkMTBuildState::HasPatches;
+    return true;
   }
 
-  void SplitFragment(const vtkMTPartition& partition, std::uint32_t level, std::size_t fragment,
-    vtkMTPatchSplitter& split, std::string& error)
+  bool TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& isEmpty, std::string& error) const
   {
-    split = vtkMTPatchSplitter();
-    std::vector<vtkMTPatch> meshes;
-    if (!this->FragmentSpool.Take(fragment, meshes))
+    std::vector<Bytes> records;
+    if (!this->State->Fragments.Take(fragment, records, error))
     {
-      error = this->FragmentSpool.GetError();
-      return;
+      return false;
     }
-    if (meshes.empty() || meshes[0].Triangles.empty())
+    isEmpty = records.empty();
+    return isEmpty || vtkMTPatchRecord::Decode(records[0], mesh, error);
+  }
+
+  bool SplitFragment(
+    const vtkMTPartition& partition, std::size_t fragment, SplitResult& result, std::string& error) const
+  {
+    result = SplitResult();
+    vtkMTPatch mesh;
+    bool isEmpty = false;
+    if (!this->TakeFragment(fragment, mesh, isEmpty, error))
     {
-      return;
+      return false;
     }
-    const std::vector<Barycentre>& barycentres = this->LevelScan.Fragments[fragment];
+    if (isEmpty || mesh.Triangles.empty())
+    {
+      return true;
+    }
+    const std::vector<Barycentre> barycentres = vtkMTBarycentreSpool::GetBarycentres(mesh);
     std::vector<std::uint32_t> regions(barycentres.size());
     for (std::size_t t = 0; t < regions.size(); ++t)
     {
@@ -341,131 +242,173 @@ private:
     }
     const double sliver = std::ceil(SliverShare * static_cast<double>(this->Options.PatchTriangles));
     vtkMTSliverMerge::MergeSlivers(partition, barycentres, static_cast<std::size_t>(sliver), regions);
-    split = vtkMTPatchSplitter::Split(meshes[0], regions, level, static_cast<std::uint32_t>(fragment));
-  }
-
-  bool PutPieces(
-    std::uint32_t toNode, vtkMTPatchSplitter& split, std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses)
-  {
-    uses.insert(uses.end(), split.Uses.begin(), split.Uses.end());
-    this->LockedIds.insert(this->LockedIds.end(), split.LockedIds.begin(), split.LockedIds.end());
+    result.Triangles = mesh.Triangles.size();
+    vtkMTPatchSplitter split =
+      vtkMTPatchSplitter::Split(mesh, regions, this->State->Level, static_cast<std::uint32_t>(fragment));
+    result.Uses = std::move(split.Uses);
     for (vtkMTPatchSplitter::Piece& piece : split.Pieces)
     {
-      if (!this->WritePatch(vtkMTPatch(piece.Patch), piece.Region, toNode))
+      result.Regions.push_back(piece.Region);
+      result.Records.emplace_back();
+      vtkMTPatchRecord::Encode(piece.Patch, result.Records.back());
+      result.Patches.emplace_back();
+      if (!this->PreparePatch(std::move(piece.Patch), result.Patches.back(), error))
       {
         return false;
       }
-      if (!this->PatchSpool.Put(piece.Region, std::move(piece.Patch)))
+    }
+    return true;
+  }
+
+  bool PutPieces(std::uint32_t toNode, SplitResult& result, std::string& error)
+  {
+    for (std::size_t i = 0; i < result.Regions.size(); ++i)
+    {
+      const std::uint32_t region = result.Regions[i];
+      if (!this->WritePatch(std::move(result.Patches[i]), region, toNode, error) ||
+        !this->State->Patches.Put(region, result.Records[i].data(), result.Records[i].size(), error))
       {
-        return this->Fail(this->PatchSpool.GetError());
+        return false;
       }
     }
     return true;
   }
 
-  bool WritePatch(vtkMTPatch&& patch, std::uint32_t fromNode, std::uint32_t toNode)
+  bool PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const
   {
     vtkMTRegionStep::RemoveReach(patch);
-    this->Arcs.push_back({ vtkMTMakeArcRecord(patch, this->Lattice.Step), fromNode, toNode });
-    return this->Sink.WritePatch(std::move(patch)) || this->Fail(this->Sink.GetError());
+    result.Arc = vtkMTMakeArcRecord(patch, this->State->Graph.Lattice.Step);
+    result.Patch = this->Sink.Prepare(std::move(patch), error);
+    return result.Patch != nullptr;
   }
 
-  // Points that triangles of more than one next region use must stay as they are in the next step.
-  bool FindLockedIds(std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses)
+  bool WritePatch(PatchToWrite&& patch, std::uint32_t fromNode, std::uint32_t toNode, std::string& error)
   {
-    std::sort(uses.begin(), uses.end());
-    for (std::size_t i = 0; i < uses.size();)
+    this->State->Arcs.push_back({ patch.Arc, fromNode, toNode });
+    const bool written = this->Sink.WritePrepared(std::move(patch.Patch));
+    error = written ? error : this->Sink.GetError();
+    return written;
+  }
+
+  //----------------------------------------------------------------------------
+  struct RegionResult
+  {
+    vtkMTRegionStep Step;
+    Bytes Record;
+    std::vector<Barycentre> Barycentres;
+  };
+
+  bool SimplifyRegions()
+  {
+    vtkMTBuildState& state = *this->State;
+    const std::uint32_t next = state.Level + 1;
+    std::vector<RegionResult> results(this->GetNumberOfSlots());
+    state.NodeOfFragment.assign(state.NextRegions, None);
+    std::uint64_t left = 0;
+    std::uint64_t triangles = 0;
+    if (!state.Fragments.Begin(
+          *this->Options.Store, vtkMTBuildState::GetFragmentsName(next), state.NextRegions, this->Error) ||
+      !state.Barycentres.Begin(*this->Options.Store, vtkMTBuildState::GetBarycentresName(next), this->Error))
     {
-      std::size_t end = i;
-      bool isLocked = false;
-      for (; end < uses.size() && uses[end].first == uses[i].first; ++end)
-      {
-        isLocked = isLocked || uses[end].second != uses[i].second;
-      }
-      if (isLocked)
-      {
-        this->LockedIds.push_back(uses[i].first);
-      }
-      i = end;
+      return false;
     }
-    std::sort(this->LockedIds.begin(), this->LockedIds.end());
-    this->NextRegions = 0;
-    for (std::size_t a = this->FirstArcOfLevel; a < this->Arcs.size(); ++a)
+    const bool done = this->ForAll(
+      state.NextRegions,
+      [&](std::size_t region, std::size_t slot, std::string& error)
+      { return this->SimplifyRegion(region, results[slot], error); },
+      [&](std::size_t region, std::size_t slot, std::string& error)
+      {
+        left += results[slot].Step.Fragment.Triangles.size();
+        triangles += results[slot].Step.FloorTriangles;
+        return this->PutFragment(next, region, results[slot], error) && this->Continue("simplifying", triangles);
+      });
+    if (!done || !state.Fragments.Seal(this->Error) || !state.Barycentres.Seal(this->Error))
     {
-      this->NextRegions = std::max(this->NextRegions, this->Arcs[a].FromNode + 1);
+      return false;
     }
+    for (std::size_t a = static_cast<std::size_t>(state.FirstArcOfLevel); a < state.Arcs.size(); ++a)
+    {
+      state.Arcs[a].FromNode = state.NodeOfFragment[state.Arcs[a].FromNode];
+    }
+    state.LevelTriangles.push_back(left);
+    state.Patches.Remove();
+    state.Level = next;
+    state.Stage = vtkMTBuildState::HasFragments;
     return true;
   }
 
-  bool SimplifyRegions(std::uint32_t level)
+  bool SimplifyRegion(std::size_t region, RegionResult& result, std::string& error) const
   {
-    const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->CarriedArrays, &this->LockedIds,
-      level - 1 };
-    std::vector<vtkMTRegionStep> steps(4 * static_cast<std::size_t>(this->Threads));
-    this->LevelScan.Fragments.assign(this->NextRegions, {});
-    this->NodeOfFragment.assign(this->NextRegions, None);
-    this->LevelTriangles.push_back(0);
-    if (!this->FragmentSpool.Reset(this->NextRegions))
+    result = RegionResult();
+    std::vector<Bytes> records;
+    if (!this->State->Patches.Take(region, records, error))
     {
-      return this->Fail(this->FragmentSpool.GetError());
+      return false;
     }
-    const bool done = this->ForAll(
-      this->NextRegions,
-      [&](std::size_t region, std::size_t slot, std::string& error)
-      {
-        steps[slot] = vtkMTRegionStep();
-        std::vector<vtkMTPatch> patches;
-        if (!this->PatchSpool.Take(region, patches))
-        {
-          error = this->PatchSpool.GetError();
-        }
-        else if (!patches.empty() && steps[slot].Run(patches, context, error))
-        {
-          this->LevelScan.Fragments[region] = GetBarycentres(steps[slot].Fragment);
-        }
-      },
-      [&](std::size_t region, std::size_t slot) { return this->PutFragment(level, region, steps[slot]); });
-    for (std::size_t a = this->FirstArcOfLevel; done && a < this->Arcs.size(); ++a)
-    {
-      this->Arcs[a].FromNode = this->NodeOfFragment[this->Arcs[a].FromNode];
-    }
-    return done;
-  }
-
-  bool PutFragment(std::uint32_t level, std::size_t region, vtkMTRegionStep& step)
-  {
-    if (step.FloorTriangles == 0)
+    if (records.size() < 2)
     {
       return true; // a region that lost all its triangles to its neighbours
     }
-    this->SimplifiedTriangles += step.FloorTriangles;
-    this->LevelTriangles.back() += step.Fragment.Triangles.size();
-    this->NodeOfFragment[region] = static_cast<std::uint32_t>(this->Nodes.size());
-    this->Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength });
-    this->Graph.FullySharedBorders += step.HasFullySharedBorder ? 1 : 0;
-    for (const auto& [cause, edges] : step.Blocked)
+    std::vector<vtkMTPatch> patches(records.size() - 1);
+    for (std::size_t i = 0; i < patches.size(); ++i)
     {
-      this->Graph.Blocked[cause] += edges;
+      if (!vtkMTPatchRecord::Decode(records[i], patches[i], error))
+      {
+        return false;
+      }
+      records[i] = Bytes();
     }
-    return this->FragmentSpool.Put(region, std::move(step.Fragment)) || this->Fail(this->FragmentSpool.GetError());
+    std::vector<std::uint64_t> locks(records.back().size() / sizeof(std::uint64_t));
+    std::copy_n(records.back().data(), locks.size() * sizeof(locks[0]), reinterpret_cast<unsigned char*>(locks.data()));
+    const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->CarriedArrays, &locks,
+      this->State->Level };
+    if (!result.Step.Run(patches, context, error))
+    {
+      return false;
+    }
+    result.Barycentres = vtkMTBarycentreSpool::GetBarycentres(result.Step.Fragment);
+    vtkMTPatchRecord::Encode(result.Step.Fragment, result.Record);
+    return true;
   }
 
+  bool PutFragment(std::uint32_t level, std::size_t region, const RegionResult& result, std::string& error)
+  {
+    vtkMTBuildState& state = *this->State;
+    const vtkMTRegionStep& step = result.Step;
+    if (step.FloorTriangles == 0)
+    {
+      return true;
+    }
+    state.SimplifiedTriangles += step.FloorTriangles;
+    state.NodeOfFragment[region] = static_cast<std::uint32_t>(state.Nodes.size());
+    state.Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength });
+    state.Graph.FullySharedBorders += step.HasFullySharedBorder ? 1 : 0;
+    for (const auto& [cause, edges] : step.Blocked)
+    {
+      state.Graph.Blocked[cause] += edges;
+    }
+    return state.Fragments.Put(region, result.Record.data(), result.Record.size(), error) &&
+      state.Barycentres.Put(result.Barycentres, error);
+  }
+
+  //----------------------------------------------------------------------------
   // The last fragments are the coarsest patches.
   bool WriteRoots()
   {
-    for (std::size_t f = 0; f < this->LevelScan.Fragments.size(); ++f)
+    for (std::size_t f = 0; f < this->State->NodeOfFragment.size(); ++f)
     {
-      std::vector<vtkMTPatch> meshes;
-      if (!this->FragmentSpool.Take(f, meshes))
+      vtkMTPatch mesh;
+      PatchToWrite patch;
+      bool isEmpty = false;
+      if (!this->TakeFragment(f, mesh, isEmpty, this->Error))
       {
-        return this->Fail(this->FragmentSpool.GetError());
+        return false;
       }
-      for (vtkMTPatch& mesh : meshes)
+      if (!isEmpty &&
+        (!this->PreparePatch(std::move(mesh), patch, this->Error) ||
+          !this->WritePatch(std::move(patch), None, this->State->NodeOfFragment[f], this->Error)))
       {
-        if (!this->WritePatch(std::move(mesh), None, this->NodeOfFragment[f]))
-        {
-          return false;
-        }
+        return false;
       }
     }
     return true;
@@ -474,79 +417,85 @@ private:
   // Nodes from coarse to fine between source and sink, then everything that follows from them.
   bool FinishGraph()
   {
-    std::vector<std::uint32_t> order(this->Nodes.size());
+    vtkMTGraph& graph = this->State->Graph;
+    std::vector<std::uint32_t> order(this->State->Nodes.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
     {
       order[i] = i;
     }
+    const auto& nodes = this->State->Nodes;
     std::stable_sort(order.begin(), order.end(),
-      [this](std::uint32_t a, std::uint32_t b) { return this->Nodes[a].Level > this->Nodes[b].Level; });
+      [&nodes](std::uint32_t a, std::uint32_t b) { return nodes[a].Level > nodes[b].Level; });
     std::vector<std::uint32_t> place(order.size());
-    this->Graph.Nodes.assign(order.size() + 2, vtkMTNode());
-    const std::uint32_t levels = this->Nodes.empty() ? 0 : this->Nodes[order[0]].Level;
-    this->Graph.Nodes[0].Level = levels + 1;
+    graph.Nodes.assign(order.size() + 2, vtkMTNode());
+    graph.Nodes[0].Level = (nodes.empty() ? 0 : nodes[order[0]].Level) + 1;
+    const double step = graph.Lattice.Step;
     for (std::uint32_t i = 0; i < order.size(); ++i)
     {
-      const NodeRecord& record = this->Nodes[order[i]];
-      vtkMTNode& node = this->Graph.Nodes[i + 1];
+      const vtkMTBuildState::NodeRecord& record = nodes[order[i]];
+      vtkMTNode& node = graph.Nodes[i + 1];
       node.Level = record.Level;
       node.Region = record.Region;
-      node.OwnError = record.Error > 0.0
-        ? std::nextafter(record.Error * this->Lattice.Step, std::numeric_limits<double>::infinity())
-        : 0.0;
-      node.EdgeLength = record.EdgeLength * this->Lattice.Step;
+      node.OwnError =
+        record.Error > 0.0 ? std::nextafter(record.Error * step, std::numeric_limits<double>::infinity()) : 0.0;
+      node.EdgeLength = record.EdgeLength * step;
       place[order[i]] = i + 1;
     }
-    const std::uint32_t sink = this->Graph.GetSink();
-    for (const ArcRecord& record : this->Arcs)
+    graph.Arcs.reserve(this->State->Arcs.size());
+    for (const vtkMTBuildState::ArcRecord& record : this->State->Arcs)
     {
       vtkMTArc arc = record.Arc;
       arc.From = record.FromNode == None ? 0 : place[record.FromNode];
-      arc.To = record.ToNode == None ? sink : place[record.ToNode];
-      this->Graph.Arcs.push_back(arc);
+      arc.To = record.ToNode == None ? graph.GetSink() : place[record.ToNode];
+      graph.Arcs.push_back(arc);
     }
-    const std::vector<std::uint32_t> patchOfArc = this->Graph.Index();
-    this->Graph.Saturate(this->Lattice.MaximumShift);
-    this->Graph.Settings["partition"] = this->Options.Partition->GetSettings();
-    this->Graph.Settings["simplifier"] = this->Options.Simplifier->GetSettings();
-    this->Graph.Settings["patch_triangles"] = std::to_string(this->Options.PatchTriangles);
-    this->Graph.Settings["floor_triangles"] = std::to_string(std::llround(2.0 * this->GetRegionTarget()));
-    return this->Sink.Finish(this->Graph, patchOfArc) || this->Fail(this->Sink.GetError());
+    this->State->Arcs = {};
+    const std::vector<std::uint32_t> patchOfArc = graph.Index();
+    graph.Saturate(graph.Lattice.MaximumShift);
+    graph.Settings["partition"] = this->Options.Partition->GetSettings();
+    graph.Settings["simplifier"] = this->Options.Simplifier->GetSettings();
+    graph.Settings["patch_triangles"] = std::to_string(this->Options.PatchTriangles);
+    graph.Settings["floor_triangles"] = std::to_string(std::llround(2.0 * this->Options.GetRegionTarget()));
+    return this->Sink.Finish(graph, patchOfArc) || this->Fail(this->Sink.GetError());
   }
 
-  static constexpr std::uint32_t MaximumLevels = 60; // identities have room for 61
-
-  const Settings Options;
-  const int Threads;
+  const vtkMTBuildSettings Options;
   vtkMTPatchSink& Sink;
-  vtkMTSpool& FragmentSpool; // by region of the present partition
-  vtkMTSpool& PatchSpool;    // by region of the next one
-  vtkMTLattice Lattice;
-  vtkMTGraph Graph;
+  const std::string Identity;
+  vtkMTBuildState* State = nullptr;
   std::vector<vtkMTArrayInfo> CarriedArrays; // the input's and, last, the reach
-  std::vector<NodeRecord> Nodes;
-  std::vector<ArcRecord> Arcs; // in the order in which their patches were written
-  std::size_t FirstArcOfLevel = 0;
-  std::uint32_t NextRegions = 0;
-  FragmentScan LevelScan;
-  std::vector<std::uint32_t> NodeOfFragment;
-  std::vector<std::uint64_t> LockedIds;
-  std::vector<std::size_t> LevelTriangles;
-  std::size_t InputTriangles = 0;
-  std::size_t SimplifiedTriangles = 0;
 };
 
-vtkMTLevelLoop::vtkMTLevelLoop(
-  const Settings& settings, vtkMTPatchSink& sink, vtkMTSpool& fragments, vtkMTSpool& patches)
-  : Implementation(std::make_unique<Internals>(settings, sink, fragments, patches))
+vtkMTLevelLoop::vtkMTLevelLoop(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, const std::string& identity)
+  : Implementation(std::make_unique<Internals>(settings, sink, identity))
 {
 }
 
 vtkMTLevelLoop::~vtkMTLevelLoop() = default;
 
-bool vtkMTLevelLoop::Run(vtkMTInputMesh&& input)
+bool vtkMTLevelLoop::Run(vtkMTBuildState& state)
 {
-  return this->Implementation->Run(std::move(input));
+  return this->Implementation->Run(state);
+}
+
+bool vtkMTLevelLoop::ReadCheckpoint(vtkMTSpoolStore& store, Checkpoint& checkpoint, std::string& error)
+{
+  checkpoint = Checkpoint();
+  Bytes bytes;
+  if (!store.Restore(bytes, error))
+  {
+    return false;
+  }
+  if (bytes.empty())
+  {
+    return true;
+  }
+  vtkMTBytes::Reader reader(bytes);
+  checkpoint.Identity = reader.TakeText();
+  reader.TakeList(checkpoint.State);
+  reader.TakeList(checkpoint.Sink);
+  error = reader.IsSound() && reader.IsAtEnd() ? error : "the checkpoint does not hold what was kept";
+  return reader.IsSound() && reader.IsAtEnd();
 }
 
 const std::string& vtkMTLevelLoop::GetError() const
@@ -557,4 +506,9 @@ const std::string& vtkMTLevelLoop::GetError() const
 bool vtkMTLevelLoop::WasAborted() const
 {
   return this->Implementation->Aborted;
+}
+
+bool vtkMTLevelLoop::HasCheckpoint() const
+{
+  return this->Implementation->HasCommitted;
 }

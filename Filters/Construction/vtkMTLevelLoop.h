@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTLevelLoop
- * @brief the construction itself: from a mesh on the lattice to patches in a sink and their DAG
+ * @brief the construction itself: from the fragments of a mesh on the lattice to patches in a sink and their DAG
  *
  * BMT section 4. Mesh M_0 is the input. On every level i the fragments of the regions of Psi_i together are the mesh
  * M_i. One turn of the loop places the regions of Psi_(i+1) by the barycentres of M_i, splits the fragments into the
@@ -10,56 +10,60 @@
  * M_(i+1). The loop ends when one region is left with no more triangles than a patch should have, or when two turns in
  * a row removed less than a tenth of the triangles; the last fragments are the arcs that leave the source.
  *
- * Threads: fragments and regions are taken in batches, in parallel within a batch; what a batch made goes to sink and
- * spools in order of index, by the calling thread.
+ * Memory: fragments and patches are in spools, and only those that are worked on are in memory. What grows with the
+ * mesh is a few dozen bytes per region and the DAG's records.
+ *
+ * Threads: fragments and regions are worked on in parallel (vtkMTOrderedWork); what they make goes to sink and spools
+ * in order of index, by the calling thread.
+ *
+ * Checkpoints: when both the store and the sink can go on in another process, the state is committed after each of a
+ * level's two steps.
  */
 #ifndef vtkMTLevelLoop_h
 #define vtkMTLevelLoop_h
 
+#include "vtkMTBuildSettings.h"
 #include "vtkMTConstructionModule.h" // For export macro
-#include "vtkMTGraph.h"
-#include "vtkMTPatch.h"
 
-#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
-class vtkMTPartitionStrategy;
+class vtkMTBuildState;
 class vtkMTPatchSink;
-class vtkMTSimplifier;
-class vtkMTSpool;
-struct vtkMTInputMesh;
 
 class VTKMTCONSTRUCTION_EXPORT vtkMTLevelLoop
 {
 public:
-  struct Settings
-  {
-    std::size_t PatchTriangles = 1000;
-    int NumberOfThreads = 0; ///< 0: as many as the machine has
-    const vtkMTPartitionStrategy* Partition = nullptr;
-    const vtkMTSimplifier* Simplifier = nullptr;
-    /// Called now and then with the fraction done; false stops the work.
-    std::function<bool(double)> Progress;
-  };
-
-  /**
-   * Triangles of a region of Psi_i on M_i over those of a patch: a crossing with the next partition, of half as many
-   * regions, cuts a region into about this many patches once slivers are merged (measured on scans and fractal spheres:
-   * Testing/Construction prints the mean patch of every model that it builds).
-   */
-  static constexpr double PatchesPerRegion = 2.9;
   /// Elements of a crossing below this share of the wanted patch are merged into a neighbour.
   static constexpr double SliverShare = 0.1;
 
-  vtkMTLevelLoop(const Settings& settings, vtkMTPatchSink& sink, vtkMTSpool& fragments, vtkMTSpool& patches);
+  /// identity: kept in every checkpoint; ReadCheckpoint gives it back.
+  vtkMTLevelLoop(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, const std::string& identity);
   ~vtkMTLevelLoop();
 
-  /// Consumes the input. False on failure, with a message in GetError; the sink is then neither finished nor abandoned.
-  bool Run(vtkMTInputMesh&& input);
+  /**
+   * Goes on from the state to the end. The sink has begun, or was restored. False on failure, with a message in
+   * GetError; the sink is then neither finished nor abandoned.
+   */
+  bool Run(vtkMTBuildState& state);
+
+  /**
+   * The last checkpoint in the settings' store: whose build it is of, and the bytes of state and sink, which are empty
+   * when there is none. False when it cannot be read.
+   */
+  struct Checkpoint
+  {
+    std::string Identity;
+    std::vector<unsigned char> State;
+    std::vector<unsigned char> Sink;
+  };
+  static bool ReadCheckpoint(vtkMTSpoolStore& store, Checkpoint& checkpoint, std::string& error);
 
   const std::string& GetError() const;
   bool WasAborted() const;
+  /// Whether a checkpoint has been committed.
+  bool HasCheckpoint() const;
 
 private:
   class Internals;

@@ -1,190 +1,320 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTOrientation.h"
 
+#include "vtkMTRadixSort.h"
+
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
-// The other triangle at each of a triangle's edges where there is exactly one.
-class Adjacency
+// One triangle's use of an edge whose ends are both shared, on its way to the others.
+struct EdgeRecord
 {
-public:
-  explicit Adjacency(const vtkMTPatch& mesh)
-    : Across(3 * mesh.Triangles.size(), None)
-    , RunsAlong(3 * mesh.Triangles.size(), 0)
-  {
-    std::vector<std::size_t> first(mesh.Points.size() + 1, 0);
-    this->ForEdges(mesh, [&first](std::uint32_t low, std::uint32_t, std::size_t) { ++first[low + std::size_t(1)]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Edge> edges(this->Across.size());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    this->ForEdges(mesh,
-      [&](std::uint32_t low, std::uint32_t high, std::size_t slot) {
-        edges[next[low]++] = { high, slot };
-      });
-    for (std::size_t p = 0; p + 1 < first.size(); ++p)
-    {
-      this->Pair(mesh, edges.data() + first[p], edges.data() + first[p + 1]);
-    }
-  }
-
-  std::uint32_t GetAcross(std::size_t slot) const { return this->Across[slot]; }
-  /// Whether both triangles at this edge run along it in the same direction.
-  bool IsConflict(std::size_t slot) const { return this->RunsAlong[slot] != 0; }
-  bool HasConflicts() const { return this->Conflicts > 0; }
-
-private:
-  struct Edge
-  {
-    std::uint32_t High;
-    std::size_t Slot; // 3 triangle + corner at which it begins
-  };
-
-  template <class Visit>
-  void ForEdges(const vtkMTPatch& mesh, const Visit& visit) const
-  {
-    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-    {
-      const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const std::uint32_t a = p[c];
-        const std::uint32_t b = p[(c + 1) % 3];
-        visit(std::min(a, b), std::max(a, b), 3 * t + c);
-      }
-    }
-  }
-
-  // Of the edges with one smaller end those that have exactly two triangles.
-  void Pair(const vtkMTPatch& mesh, Edge* begin, Edge* end)
-  {
-    std::sort(
-      begin, end, [](const Edge& a, const Edge& b) { return a.High != b.High ? a.High < b.High : a.Slot < b.Slot; });
-    for (Edge* edge = begin; edge != end;)
-    {
-      Edge* after = edge;
-      while (after != end && after->High == edge->High)
-      {
-        ++after;
-      }
-      if (after - edge == 2)
-      {
-        const std::size_t slots[2] = { edge[0].Slot, edge[1].Slot };
-        const bool conflict = GetStart(mesh, slots[0]) == GetStart(mesh, slots[1]);
-        for (int i = 0; i < 2; ++i)
-        {
-          this->Across[slots[i]] = static_cast<std::uint32_t>(slots[1 - i] / 3);
-          this->RunsAlong[slots[i]] = conflict ? 1 : 0;
-        }
-        this->Conflicts += conflict ? 1 : 0;
-      }
-      edge = after;
-    }
-  }
-
-  static std::uint32_t GetStart(const vtkMTPatch& mesh, std::size_t slot)
-  {
-    return mesh.GetPointOfWedge(mesh.Triangles[slot / 3][slot % 3]);
-  }
-
-  std::vector<std::uint32_t> Across;
-  std::vector<unsigned char> RunsAlong;
-  std::size_t Conflicts = 0;
+  std::uint64_t Key;
+  std::uint32_t Piece;
+  std::uint16_t IsTurned;
+  std::uint16_t IsReversed;
 };
 
-// One part of the mesh, from its first triangle on: who must be turned round for all to agree with that one.
-class Part
+// Triangles that hang together, and who of them agrees with whom.
+class ParityUnion
 {
 public:
-  Part(const Adjacency& adjacency, std::vector<signed char>& turn)
-    : Adjacent(adjacency)
-    , Turn(turn)
+  explicit ParityUnion(std::size_t size)
+    : Parent(size)
+    , Parity(size, 0)
+    , IsOrientable(size, 1)
+    , HasConflict(size, 0)
   {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0u);
   }
 
-  void Walk(std::uint32_t first)
+  // The smallest of the triangles that hang together with it; parity with respect to that one.
+  std::uint32_t Find(std::uint32_t x, bool& parity)
   {
-    this->Triangles.assign(1, first);
-    this->Turn[first] = 0;
-    this->HasConflict = false;
-    this->IsOrientable = true;
-    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+    // Twice along the path: first to the root, then every parent is set to it.
+    std::uint32_t root = x;
+    bool sum = false;
+    while (this->Parent[root] != root)
     {
-      const std::uint32_t t = this->Triangles[i];
-      for (std::size_t slot = 3 * std::size_t(t); slot < 3 * std::size_t(t) + 3; ++slot)
-      {
-        const std::uint32_t other = this->Adjacent.GetAcross(slot);
-        if (other == None)
-        {
-          continue;
-        }
-        const signed char turn = this->Adjacent.IsConflict(slot) ? 1 - this->Turn[t] : this->Turn[t];
-        this->HasConflict = this->HasConflict || this->Adjacent.IsConflict(slot);
-        if (this->Turn[other] == Unknown)
-        {
-          this->Turn[other] = turn;
-          this->Triangles.push_back(other);
-        }
-        this->IsOrientable = this->IsOrientable && this->Turn[other] == turn;
-      }
+      sum = sum != (this->Parity[root] != 0);
+      root = this->Parent[root];
     }
+    parity = sum;
+    while (this->Parent[x] != root && x != root)
+    {
+      const std::uint32_t next = this->Parent[x];
+      const bool own = this->Parity[x] != 0;
+      this->Parent[x] = root;
+      this->Parity[x] = sum ? 1 : 0;
+      sum = sum != own;
+      x = next;
+    }
+    return root;
   }
 
-  void Finish(vtkMTOrientation& result) const
+  void Connect(std::uint32_t a, std::uint32_t b, bool conflict)
   {
-    if (!this->IsOrientable)
+    bool parityOfA = false;
+    bool parityOfB = false;
+    const std::uint32_t rootOfA = this->Find(a, parityOfA);
+    const std::uint32_t rootOfB = this->Find(b, parityOfB);
+    const std::uint32_t root = std::min(rootOfA, rootOfB);
+    const std::uint32_t other = std::max(rootOfA, rootOfB);
+    const bool differ = (parityOfA != parityOfB) != conflict;
+    if (root == other)
     {
-      result.NonOrientableTriangles += this->Triangles.size();
+      this->IsOrientable[root] = this->IsOrientable[root] && !differ ? 1 : 0;
     }
-    if (!this->IsOrientable || !this->HasConflict)
+    else
     {
-      return;
+      this->Parent[other] = root;
+      this->Parity[other] = differ ? 1 : 0;
+      this->IsOrientable[root] = this->IsOrientable[root] && this->IsOrientable[other] ? 1 : 0;
     }
-    const auto isTurned = [this](std::uint32_t t) { return this->Turn[t] == 1; };
-    const std::size_t turned =
-      static_cast<std::size_t>(std::count_if(this->Triangles.begin(), this->Triangles.end(), isTurned));
-    const bool keepTurned = 2 * turned > this->Triangles.size();
-    for (std::uint32_t t : this->Triangles)
-    {
-      if (isTurned(t) != keepTurned)
-      {
-        result.Reversed.push_back(t);
-      }
-    }
+    this->HasConflict[root] = this->HasConflict[root] || this->HasConflict[other] || conflict ? 1 : 0;
   }
 
-  static constexpr signed char Unknown = -1;
-
-private:
-  const Adjacency& Adjacent;
-  std::vector<signed char>& Turn;
-  std::vector<std::uint32_t> Triangles;
-  bool HasConflict = false;
-  bool IsOrientable = true;
+  std::vector<std::uint32_t> Parent;
+  std::vector<unsigned char> Parity;
+  std::vector<unsigned char> IsOrientable; // of roots
+  std::vector<unsigned char> HasConflict;
 };
+
+using Use = std::pair<std::uint64_t, std::uint32_t>; // an edge by its ends, and 3 triangle + corner
+
+// Connects the triangles at every edge that exactly two have.
+void ConnectNeighbours(std::vector<Use>& uses, const vtkMTPatch& mesh, ParityUnion& parts)
+{
+  std::vector<Use> scratch;
+  vtkMTRadixSort::Sort(uses, scratch, [](const Use& use) { return use.first; });
+  const auto start = [&mesh](std::uint32_t slot) { return mesh.GetPointsOfTriangle(slot / 3)[slot % 3]; };
+  for (std::size_t i = 0; i < uses.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < uses.size() && uses[end].first == uses[i].first)
+    {
+      ++end;
+    }
+    if (end - i == 2)
+    {
+      const std::uint32_t a = uses[i].second;
+      const std::uint32_t b = uses[i + 1].second;
+      parts.Connect(a / 3, b / 3, start(a) == start(b));
+    }
+    i = end;
+  }
+}
 }
 
-vtkMTOrientation vtkMTOrientation::Run(const vtkMTPatch& mesh)
+//------------------------------------------------------------------------------
+void vtkMTOrientation::Fragment::Run(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& numbers)
 {
-  vtkMTOrientation result;
-  const Adjacency adjacency(mesh);
-  if (!adjacency.HasConflicts())
+  const std::uint32_t count = static_cast<std::uint32_t>(mesh.Triangles.size());
+  ParityUnion parts(count);
+  std::vector<Use> uses;
+  uses.reserve(3 * std::size_t(count));
+  for (std::uint32_t t = 0; t < count; ++t)
   {
-    return result;
-  }
-  std::vector<signed char> turn(mesh.Triangles.size(), Part::Unknown);
-  Part part(adjacency, turn);
-  for (std::uint32_t t = 0; t < turn.size(); ++t)
-  {
-    if (turn[t] == Part::Unknown)
+    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
+    for (std::uint32_t c = 0; c < 3; ++c)
     {
-      part.Walk(t);
-      part.Finish(result);
+      const std::uint32_t a = p[c];
+      const std::uint32_t b = p[(c + 1) % 3];
+      if (a < mesh.Ids.size() && b < mesh.Ids.size())
+      {
+        const auto from = static_cast<std::uint32_t>(mesh.Ids[a]);
+        const auto to = static_cast<std::uint32_t>(mesh.Ids[b]);
+        this->OpenEdges.push_back({ std::min(from, to), std::max(from, to), t, to < from });
+        continue;
+      }
+      uses.emplace_back((std::uint64_t(std::min(a, b)) << 32) | std::max(a, b), 3 * t + c);
     }
   }
-  std::sort(result.Reversed.begin(), result.Reversed.end());
-  return result;
+  ConnectNeighbours(uses, mesh, parts);
+  // Roots are the smallest of their triangles, so pieces are numbered in the order of their first ones.
+  this->PieceOf.assign(count, None);
+  this->IsTurned.assign(count, 0);
+  for (std::uint32_t t = 0; t < count; ++t)
+  {
+    bool isTurned = false;
+    const std::uint32_t root = parts.Find(t, isTurned);
+    if (root == t)
+    {
+      this->PieceOf[t] = static_cast<std::uint32_t>(this->Pieces.size());
+      this->Pieces.emplace_back();
+      this->Pieces.back().First = numbers[t];
+      this->Pieces.back().IsOrientable = parts.IsOrientable[root] != 0;
+      this->Pieces.back().HasConflict = parts.HasConflict[root] != 0;
+    }
+    this->PieceOf[t] = this->PieceOf[root];
+    this->IsTurned[t] = isTurned ? 1 : 0;
+    Piece& piece = this->Pieces[this->PieceOf[t]];
+    ++piece.Triangles;
+    piece.Turned += isTurned ? 1 : 0;
+  }
+  for (const OpenEdge& edge : this->OpenEdges)
+  {
+    this->Pieces[this->PieceOf[edge.Triangle]].IsOpen = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTOrientation::vtkMTOrientation(vtkMTSpoolStore& store, std::size_t memory)
+  : Edges(store, sizeof(EdgeRecord), memory)
+{
+}
+
+// What becomes of triangles that hang together, with the figures of the report.
+std::uint32_t vtkMTOrientation::Count(const Piece& piece)
+{
+  if (!piece.IsOrientable)
+  {
+    this->NonOrientableTriangles += piece.Triangles;
+  }
+  if (!piece.IsOrientable || !piece.HasConflict)
+  {
+    return LeaveAll;
+  }
+  const bool keepTurned = 2 * std::uint64_t(piece.Turned) > piece.Triangles;
+  this->ReversedTriangles += keepTurned ? piece.Triangles - piece.Turned : piece.Turned;
+  return keepTurned ? ReverseOthers : ReverseTurned;
+}
+
+bool vtkMTOrientation::Add(const Fragment& fragment, std::vector<std::uint32_t>& pieces)
+{
+  pieces.clear();
+  for (const Piece& piece : fragment.Pieces)
+  {
+    if (!piece.IsOpen)
+    {
+      pieces.push_back(this->Count(piece));
+      continue;
+    }
+    if (this->Parts.size() == LeaveAll)
+    {
+      this->Error = "the input has too many parts";
+      return false;
+    }
+    const std::uint32_t number = static_cast<std::uint32_t>(this->Parts.size());
+    pieces.push_back(number);
+    this->Parts.push_back({ piece, number, LeaveAll, false });
+  }
+  for (const Fragment::OpenEdge& edge : fragment.OpenEdges)
+  {
+    const EdgeRecord record{ (std::uint64_t(edge.Low) << 32) | edge.High, pieces[fragment.PieceOf[edge.Triangle]],
+      fragment.IsTurned[edge.Triangle], static_cast<std::uint16_t>(edge.IsReversed ? 1 : 0) };
+    if (!this->Edges.Add(&record))
+    {
+      this->Error = this->Edges.GetError();
+      return false;
+    }
+  }
+  return true;
+}
+
+std::uint32_t vtkMTOrientation::Find(std::uint32_t part, bool& parity)
+{
+  parity = false;
+  while (this->Parts[part].Parent != part)
+  {
+    Part& own = this->Parts[part];
+    const Part& parent = this->Parts[own.Parent];
+    // Halve the path: a grandparent's parity is the sum.
+    if (parent.Parent != own.Parent)
+    {
+      own.Parity = own.Parity != parent.Parity;
+      own.Parent = parent.Parent;
+    }
+    parity = parity != own.Parity;
+    part = own.Parent;
+  }
+  return part;
+}
+
+void vtkMTOrientation::Connect(std::uint32_t a, std::uint32_t b, bool differ, bool conflict)
+{
+  bool parityOfA = false;
+  bool parityOfB = false;
+  std::uint32_t root = this->Find(a, parityOfA);
+  std::uint32_t other = this->Find(b, parityOfB);
+  differ = differ != (parityOfA != parityOfB);
+  if (this->Parts[other].Own.First < this->Parts[root].Own.First)
+  {
+    std::swap(root, other); // the root is the part with the first triangle
+  }
+  Piece& whole = this->Parts[root].Own;
+  whole.HasConflict = whole.HasConflict || conflict;
+  if (root == other)
+  {
+    whole.IsOrientable = whole.IsOrientable && !differ;
+    return;
+  }
+  Part& part = this->Parts[other];
+  whole.HasConflict = whole.HasConflict || part.Own.HasConflict;
+  whole.IsOrientable = whole.IsOrientable && part.Own.IsOrientable;
+  whole.Triangles += part.Own.Triangles;
+  whole.Turned += differ ? part.Own.Triangles - part.Own.Turned : part.Own.Turned;
+  part.Parent = root;
+  part.Parity = differ;
+}
+
+bool vtkMTOrientation::Solve()
+{
+  EdgeRecord first{};
+  EdgeRecord second{};
+  std::uint64_t uses = 0;
+  const auto connect = [&]
+  {
+    if (uses == 2)
+    {
+      const bool conflict = first.IsReversed == second.IsReversed;
+      this->Connect(first.Piece, second.Piece, conflict != (first.IsTurned != second.IsTurned), conflict);
+    }
+  };
+  if (this->Edges.Finish())
+  {
+    while (const unsigned char* bytes = this->Edges.Next())
+    {
+      EdgeRecord record;
+      std::memcpy(&record, bytes, sizeof(record));
+      if (uses > 0 && record.Key != first.Key)
+      {
+        connect();
+        uses = 0;
+      }
+      (uses == 0 ? first : second) = record;
+      ++uses;
+    }
+    connect();
+  }
+  this->Error = this->Edges.GetError();
+  this->Settle();
+  return this->Error.empty();
+}
+
+void vtkMTOrientation::Settle()
+{
+  for (std::uint32_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (this->Parts[i].Parent == i)
+    {
+      this->Parts[i].Reverse = this->Count(this->Parts[i].Own);
+    }
+  }
+  for (std::uint32_t i = 0; i < this->Parts.size(); ++i)
+  {
+    bool parity = false;
+    const std::uint32_t whole = this->Parts[this->Find(i, parity)].Reverse;
+    if (this->Parts[i].Parent != i)
+    {
+      this->Parts[i].Reverse = whole == LeaveAll || !parity ? whole
+        : whole == ReverseTurned                            ? ReverseOthers
+                                                            : ReverseTurned;
+    }
+  }
 }

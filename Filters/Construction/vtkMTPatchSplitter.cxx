@@ -59,9 +59,8 @@ struct Groups
   }
 };
 
-// Which points are used by more than one group, and by which groups those are that the fragment shares.
-void FindShared(const vtkMTPatch& fragment, const Groups& groups, std::vector<unsigned char>& isShared,
-  std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses)
+// Which points are used by more than one group, beside those that the fragment shares already.
+void FindShared(const vtkMTPatch& fragment, const Groups& groups, std::vector<unsigned char>& isShared)
 {
   constexpr std::uint32_t none = vtkMTPatchSplitter::None;
   std::vector<std::uint32_t> lastUser(fragment.Points.size(), none);
@@ -71,16 +70,8 @@ void FindShared(const vtkMTPatch& fragment, const Groups& groups, std::vector<un
     {
       for (std::uint32_t p : fragment.GetPointsOfTriangle(groups.Triangles[i]))
       {
-        if (lastUser[p] == g)
-        {
-          continue;
-        }
-        isShared[p] = isShared[p] || lastUser[p] != none ? 1 : 0;
+        isShared[p] = isShared[p] || (lastUser[p] != none && lastUser[p] != g) ? 1 : 0;
         lastUser[p] = g;
-        if (p < fragment.Ids.size())
-        {
-          uses.emplace_back(fragment.Ids[p], groups.Regions[g]);
-        }
       }
     }
   }
@@ -168,7 +159,7 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
   const Groups groups(regions);
   std::vector<unsigned char> isShared(fragment.Points.size(), 0);
   std::fill(isShared.begin(), isShared.begin() + static_cast<std::ptrdiff_t>(fragment.Ids.size()), 1);
-  FindShared(fragment, groups, isShared, result.Uses);
+  FindShared(fragment, groups, isShared);
   std::vector<std::uint64_t> ids = fragment.Ids;
   ids.resize(fragment.Points.size(), 0);
   for (std::size_t p = fragment.Ids.size(); p < ids.size(); ++p)
@@ -176,7 +167,6 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
     if (isShared[p])
     {
       ids[p] = MakeId(level, fragmentRegion, static_cast<std::uint32_t>(p));
-      result.LockedIds.push_back(ids[p]);
     }
   }
   const auto pointTupleSizes = GetTupleSizes(fragment.PointColumns, fragment.GetNumberOfWedges());
@@ -186,6 +176,10 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
   {
     result.Pieces.push_back({ groups.Regions[g],
       Extract(fragment, groups.GetTriangles(g), isShared, ids, pointTupleSizes, cellTupleSizes, scratch) });
+    for (const std::uint64_t id : result.Pieces.back().Patch.Ids)
+    {
+      result.Uses.emplace_back(id, groups.Regions[g]);
+    }
   }
   return result;
 }

@@ -24,10 +24,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchSplitter
     std::uint32_t Region; ///< of the next partition
     vtkMTPatch Patch;
   };
-  std::vector<Piece> Pieces;            ///< sorted by region
-  std::vector<std::uint64_t> LockedIds; ///< of new shared points that triangles of several next regions use
-  /// For every point that other fragments share and every next region whose triangles use it here: its id and that
-  /// region.
+  std::vector<Piece> Pieces; ///< sorted by region
+  /// For every shared point, old or new, and every next region whose triangles use it here: its id and that region.
   std::vector<std::pair<std::uint64_t, std::uint32_t>> Uses;
 
   /// regions: per triangle of the fragment.

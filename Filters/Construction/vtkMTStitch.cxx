@@ -1,106 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTStitch.h"
 
+#include "vtkMTRadixSort.h"
+
 #include <algorithm>
-#include <limits>
+#include <cstring>
 #include <numeric>
+
+using Place = vtkMTInputBlock::Place;
+
+struct vtkMTStitch::Edge
+{
+  std::uint64_t Key;
+  std::uint32_t From; // points
+  std::uint32_t To;
+  Place PlaceOfFrom;
+  Place PlaceOfTo;
+  std::int64_t Part;
+};
+
+struct vtkMTStitch::Union
+{
+  std::uint64_t Key; // of the place
+  std::uint32_t A;
+  std::uint32_t B;
+};
 
 namespace
 {
-using Points = std::vector<std::array<double, 3>>;
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-struct DirectedEdge
+// Equal places have equal hashes; nothing depends on unequal ones having different ones. Zero has one sign only.
+std::uint64_t Hash(const Place& place)
 {
-  std::uint32_t From;
-  std::uint32_t To;
-};
-
-// The edges that one triangle alone uses. Edges are sorted into one bucket per smaller end, as 64-bit keys: larger end
-// and direction.
-std::vector<DirectedEdge> FindBorderEdges(std::size_t numberOfPoints, const Triangles& triangles)
-{
-  std::vector<std::size_t> first(numberOfPoints + 1, 0);
-  for (const auto& t : triangles)
+  std::uint64_t hash = 0;
+  for (const double x : place)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      ++first[std::min(t[c], t[(c + 1) % 3]) + std::size_t(1)];
-    }
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof(bits));
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 32;
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::uint64_t> keys(3 * triangles.size());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (const auto& t : triangles)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      const std::uint32_t a = t[c];
-      const std::uint32_t b = t[(c + 1) % 3];
-      keys[next[std::min(a, b)]++] = (std::uint64_t(std::max(a, b)) << 1) | (a < b ? 0u : 1u);
-    }
-  }
-  std::vector<DirectedEdge> border;
-  for (std::uint32_t low = 0; low < numberOfPoints; ++low)
-  {
-    const auto begin = keys.begin() + static_cast<std::ptrdiff_t>(first[low]);
-    const auto end = keys.begin() + static_cast<std::ptrdiff_t>(first[low + std::size_t(1)]);
-    std::sort(begin, end);
-    for (auto key = begin; key != end;)
-    {
-      const auto edgeEnd = std::find_if(key, end, [key](std::uint64_t k) { return (k >> 1) != (*key >> 1); });
-      if (edgeEnd - key == 1)
-      {
-        const std::uint32_t high = static_cast<std::uint32_t>(*key >> 1);
-        border.push_back((*key & 1) ? DirectedEdge{ high, low } : DirectedEdge{ low, high });
-      }
-      key = edgeEnd;
-    }
-  }
-  return border;
+  return hash;
 }
 
-std::vector<std::int32_t> FindPartsOfPoints(
-  std::size_t numberOfPoints, const Triangles& triangles, const std::vector<std::int32_t>& parts)
+// Part and places of an edge, whatever its direction.
+using Ends = std::pair<std::int64_t, std::pair<Place, Place>>;
+Ends GetEnds(std::int64_t part, const Place& a, const Place& b)
 {
-  std::vector<std::int32_t> ofPoints(parts.empty() ? 0 : numberOfPoints, std::numeric_limits<std::int32_t>::max());
-  for (std::size_t t = 0; t < parts.size(); ++t)
-  {
-    for (std::uint32_t p : triangles[t])
-    {
-      ofPoints[p] = std::min(ofPoints[p], parts[t]);
-    }
-  }
-  return ofPoints;
+  return { part, a < b ? std::make_pair(a, b) : std::make_pair(b, a) };
 }
 
-// For every end of an edge a number that is the same for points of one part at the same place.
-std::vector<std::uint32_t> ClassifyPlaces(
-  const Points& points, const std::vector<DirectedEdge>& edges, const std::vector<std::int32_t>& parts)
+std::int32_t GetPart(const vtkMTInputBlock& block, std::size_t triangle, int column)
 {
-  const auto isBefore = [&](std::uint32_t a, std::uint32_t b)
+  std::int32_t part = 0;
+  if (column >= 0)
   {
-    const std::int32_t partOfA = parts.empty() ? 0 : parts[a];
-    const std::int32_t partOfB = parts.empty() ? 0 : parts[b];
-    return partOfA != partOfB ? partOfA < partOfB : points[a] < points[b];
-  };
-  std::vector<std::uint32_t> ends;
-  ends.reserve(2 * edges.size());
-  for (const DirectedEdge& e : edges)
-  {
-    ends.push_back(e.From);
-    ends.push_back(e.To);
+    std::memcpy(&part, block.Columns[static_cast<std::size_t>(column)].data() + triangle * sizeof(part), sizeof(part));
   }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::sort(ends.begin(), ends.end(),
-    [&isBefore](std::uint32_t a, std::uint32_t b) { return isBefore(a, b) || (!isBefore(b, a) && a < b); });
-  std::vector<std::uint32_t> place(points.size(), 0);
-  for (std::size_t i = 1; i < ends.size(); ++i)
-  {
-    place[ends[i]] = place[ends[i - 1]] + (isBefore(ends[i - 1], ends[i]) ? 1 : 0);
-  }
-  return place;
+  return part;
 }
 
 class UnionFind
@@ -109,9 +65,9 @@ public:
   explicit UnionFind(std::size_t size)
     : Parent(size)
   {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0u);
+    std::iota(this->Parent.begin(), this->Parent.end(), std::size_t(0));
   }
-  std::uint32_t Find(std::uint32_t x)
+  std::size_t Find(std::size_t x)
   {
     while (this->Parent[x] != x)
     {
@@ -121,7 +77,7 @@ public:
     return x;
   }
   // The smaller index stays the root, so that the result does not depend on the order of the calls.
-  void Unite(std::uint32_t a, std::uint32_t b)
+  void Unite(std::size_t a, std::size_t b)
   {
     a = this->Find(a);
     b = this->Find(b);
@@ -129,63 +85,262 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> Parent;
+  std::vector<std::size_t> Parent;
 };
-
-void SortByPlace(std::vector<DirectedEdge>& edges, const std::vector<std::uint32_t>& place)
-{
-  const auto key = [&place](const DirectedEdge& e)
-  {
-    const std::uint64_t a = place[e.From];
-    const std::uint64_t b = place[e.To];
-    return (std::min(a, b) << 32) | std::max(a, b);
-  };
-  std::sort(edges.begin(), edges.end(),
-    [&key](const DirectedEdge& a, const DirectedEdge& b)
-    {
-      const std::uint64_t keyOfA = key(a);
-      const std::uint64_t keyOfB = key(b);
-      return keyOfA != keyOfB ? keyOfA < keyOfB : (a.From != b.From ? a.From < b.From : a.To < b.To);
-    });
-}
 }
 
-vtkMTStitch vtkMTStitch::Run(const Points& points, const Triangles& triangles, const std::vector<std::int32_t>& parts)
+vtkMTStitch::vtkMTStitch(vtkMTSpoolStore& store, std::size_t memory)
+  : Store(store)
+  , Memory(memory)
+  , Open(std::make_unique<vtkMTRecordSort>(store, sizeof(Edge), memory / 2))
+  , Border(std::make_unique<vtkMTRecordSort>(store, sizeof(Edge), memory / 2))
 {
-  vtkMTStitch result;
-  UnionFind identity(points.size());
-  std::vector<DirectedEdge> border = FindBorderEdges(points.size(), triangles);
-  if (!border.empty())
+}
+
+vtkMTStitch::~vtkMTStitch() = default;
+
+bool vtkMTStitch::Fail(const std::string& error)
+{
+  this->Error = error;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Border edges
+bool vtkMTStitch::Add(const vtkMTInputBlock& block, int partColumn)
+{
+  // The block's own edges: smaller end, larger end, direction. Blocks have fewer than 2^18 points.
+  constexpr int bits = 18;
+  static_assert(3 * vtkMTInputBlock::Size < (std::size_t(1) << bits), "points of a block must fit");
+  using Key = std::pair<std::uint64_t, std::uint32_t>; // with the triangle
+  std::vector<Key> keys;
+  std::vector<Key> scratch;
+  for (std::size_t i = 0; i < block.Triangles.size(); ++i)
   {
-    const std::vector<std::uint32_t> place =
-      ClassifyPlaces(points, border, FindPartsOfPoints(points.size(), triangles, parts));
-    SortByPlace(border, place);
-    const auto sameEdge = [&place](const DirectedEdge& a, const DirectedEdge& b)
+    const vtkMTInputBlock::Triangle& t = block.Triangles[i];
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      return (place[a.From] == place[b.From] && place[a.To] == place[b.To]) ||
-        (place[a.From] == place[b.To] && place[a.To] == place[b.From]);
-    };
-    for (std::size_t i = 0; i < border.size();)
-    {
-      std::size_t end = i + 1;
-      while (end < border.size() && sameEdge(border[i], border[end]))
+      const std::uint64_t a = t[c];
+      const std::uint64_t b = t[(c + 1) % 3];
+      if (block.IsOpen[a] && block.IsOpen[b])
       {
-        ++end;
+        if (!this->AddEdge(*this->Open, block, t[c], t[(c + 1) % 3], GetPart(block, i, partColumn)))
+        {
+          return false;
+        }
+        continue;
       }
-      if (end - i == 2 && place[border[i].From] == place[border[i + 1].To])
-      {
-        identity.Unite(border[i].From, border[i + 1].To);
-        identity.Unite(border[i].To, border[i + 1].From);
-        ++result.StitchedEdges;
-      }
-      i = end;
+      keys.emplace_back(
+        ((((std::min(a, b) << bits) | std::max(a, b))) << 1) | (a < b ? 0u : 1u), static_cast<std::uint32_t>(i));
     }
   }
-  result.Root.resize(points.size());
-  for (std::uint32_t p = 0; p < points.size(); ++p)
+  vtkMTRadixSort::Sort(keys, scratch, [](const Key& key) { return key.first; });
+  for (std::size_t i = 0; i < keys.size();)
   {
-    result.Root[p] = identity.Find(p);
-    result.StitchedPoints += result.Root[p] != p ? 1 : 0;
+    std::size_t end = i + 1;
+    while (end < keys.size() && (keys[end].first >> 1) == (keys[i].first >> 1))
+    {
+      ++end;
+    }
+    const std::uint64_t key = keys[i].first;
+    const std::uint32_t low = static_cast<std::uint32_t>(key >> (bits + 1));
+    const std::uint32_t high = static_cast<std::uint32_t>((key >> 1) & ((1u << bits) - 1));
+    const bool isReversed = (key & 1) != 0;
+    const std::int32_t part = GetPart(block, keys[i].second, partColumn);
+    if (end - i == 1 && !this->AddEdge(*this->Border, block, isReversed ? high : low, isReversed ? low : high, part))
+    {
+      return false;
+    }
+    i = end;
   }
-  return result;
+  return true;
+}
+
+bool vtkMTStitch::AddEdge(
+  vtkMTRecordSort& sort, const vtkMTInputBlock& block, std::uint32_t from, std::uint32_t to, std::int32_t part)
+{
+  Edge edge{ 0, block.Points[from], block.Points[to], block.Places[from], block.Places[to], part };
+  if (&sort == this->Border.get())
+  {
+    return this->AddBorderEdge(edge);
+  }
+  edge.Key = (std::uint64_t(std::min(edge.From, edge.To)) << 32) | std::max(edge.From, edge.To);
+  return sort.Add(&edge) || this->Fail(sort.GetError());
+}
+
+bool vtkMTStitch::AddBorderEdge(const Edge& edge)
+{
+  Edge keyed = edge;
+  keyed.Key = Hash(edge.PlaceOfFrom) + Hash(edge.PlaceOfTo);
+  return this->Border->Add(&keyed) || this->Fail(this->Border->GetError());
+}
+
+bool vtkMTStitch::FindBorderAmongOpen()
+{
+  Edge last{};
+  std::uint64_t uses = 0;
+  bool good = this->Open->Finish();
+  while (const unsigned char* record = good ? this->Open->Next() : nullptr)
+  {
+    Edge edge;
+    std::memcpy(&edge, record, sizeof(edge));
+    if (uses > 0 && edge.Key != last.Key)
+    {
+      good = uses > 1 || this->AddBorderEdge(last);
+      uses = 0;
+    }
+    last = edge;
+    ++uses;
+  }
+  good = good && !this->Open->HasFailed() && (uses != 1 || this->AddBorderEdge(last));
+  if (!good)
+  {
+    return this->Fail(this->Open->GetError() + this->Border->GetError());
+  }
+  this->Open.reset();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Pairs of border edges
+bool vtkMTStitch::JoinEdges()
+{
+  std::vector<Edge> edges; // with one key
+  bool good = this->Border->Finish();
+  while (const unsigned char* record = good ? this->Border->Next() : nullptr)
+  {
+    Edge edge;
+    std::memcpy(&edge, record, sizeof(edge));
+    good = edges.empty() || edges[0].Key == edge.Key || this->JoinEdgesAtPlaces(edges);
+    edges.push_back(edge);
+  }
+  good = good && !this->Border->HasFailed() && this->JoinEdgesAtPlaces(edges);
+  if (!good)
+  {
+    return this->Fail(this->Border->GetError() + this->Unions->GetError());
+  }
+  this->Border.reset();
+  return true;
+}
+
+// Empties the list.
+bool vtkMTStitch::JoinEdgesAtPlaces(std::vector<Edge>& edges)
+{
+  const auto ends = [](const Edge& edge) { return GetEnds(edge.Part, edge.PlaceOfFrom, edge.PlaceOfTo); };
+  std::stable_sort(edges.begin(), edges.end(), [&ends](const Edge& a, const Edge& b) { return ends(a) < ends(b); });
+  bool added = true;
+  for (std::size_t i = 0; added && i < edges.size();)
+  {
+    std::size_t end = i + 1;
+    while (end < edges.size() && ends(edges[end]) == ends(edges[i]))
+    {
+      ++end;
+    }
+    const Edge& a = edges[i];
+    const Edge& b = edges[end - 1];
+    if (end - i == 2 && a.PlaceOfFrom == b.PlaceOfTo)
+    {
+      const Union first{ Hash(a.PlaceOfFrom), a.From, b.To };
+      const Union second{ Hash(a.PlaceOfTo), a.To, b.From };
+      added = this->Unions->Add(&first) && this->Unions->Add(&second);
+      ++this->StitchedEdges;
+    }
+    i = end;
+  }
+  edges.clear();
+  return added;
+}
+
+//------------------------------------------------------------------------------
+// Points that have become one
+bool vtkMTStitch::SolvePlaces()
+{
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> unions; // with one key
+  std::uint64_t last = 0;
+  bool good = this->Unions->Finish();
+  while (const unsigned char* record = good ? this->Unions->Next() : nullptr)
+  {
+    Union join;
+    std::memcpy(&join, record, sizeof(join));
+    good = unions.empty() || join.Key == last || this->SolvePlace(unions);
+    last = join.Key;
+    unions.emplace_back(join.A, join.B);
+  }
+  good = good && !this->Unions->HasFailed() && this->SolvePlace(unions) && this->Roots->Finish();
+  if (!good)
+  {
+    return this->Fail(this->Unions->GetError() + this->Roots->GetError());
+  }
+  this->Unions.reset();
+  return true;
+}
+
+// Empties the list.
+bool vtkMTStitch::SolvePlace(std::vector<std::pair<std::uint32_t, std::uint32_t>>& unions)
+{
+  std::vector<std::uint32_t> points;
+  for (const auto& [a, b] : unions)
+  {
+    points.push_back(a);
+    points.push_back(b);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto find = [&points](std::uint32_t point)
+  { return static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin()); };
+  UnionFind identity(points.size());
+  for (const auto& [a, b] : unions)
+  {
+    identity.Unite(find(a), find(b));
+  }
+  std::vector<std::size_t> members(points.size(), 0);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    ++members[identity.Find(i)];
+  }
+  bool added = true;
+  for (std::size_t i = 0; added && i < points.size(); ++i)
+  {
+    const std::size_t root = identity.Find(i);
+    if (members[root] > 1)
+    {
+      const std::uint64_t entry = (std::uint64_t(points[i]) << 32) | points[root];
+      added = this->Roots->Add(&entry);
+      this->StitchedPoints += root != i ? 1 : 0;
+    }
+  }
+  unions.clear();
+  return added;
+}
+
+bool vtkMTStitch::Finish()
+{
+  if (!this->FindBorderAmongOpen())
+  {
+    return false;
+  }
+  this->Unions = std::make_unique<vtkMTRecordSort>(this->Store, sizeof(Union), this->Memory / 2);
+  if (!this->JoinEdges())
+  {
+    return false;
+  }
+  this->Roots = std::make_unique<vtkMTRecordSort>(this->Store, sizeof(std::uint64_t), this->Memory / 2);
+  if (!this->SolvePlaces())
+  {
+    return false;
+  }
+  const unsigned char* record = this->Roots->Next();
+  this->NextRoot = record ? vtkMTRecordSort::GetKey(record) : ~std::uint64_t(0);
+  return !this->Roots->HasFailed() || this->Fail(this->Roots->GetError());
+}
+
+std::uint32_t vtkMTStitch::FindRoot(std::uint32_t point)
+{
+  while ((this->NextRoot >> 32) < point)
+  {
+    const unsigned char* record = this->Roots->Next();
+    this->NextRoot = record ? vtkMTRecordSort::GetKey(record) : ~std::uint64_t(0);
+    this->Error = this->Roots->GetError();
+  }
+  return (this->NextRoot >> 32) == point ? static_cast<std::uint32_t>(this->NextRoot) : None;
 }

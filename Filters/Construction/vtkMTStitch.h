@@ -6,29 +6,76 @@
  * Meshes come apart at seams: an OBJ repeats a point for every texture coordinate, an STL for every triangle. A border
  * edge (one that a single triangle uses, by index) is stitched to another one when their ends are equal bit for bit,
  * when no third border edge lies there, and when they run in opposite directions. Edges of different parts do not see
- * each other. Nothing else is merged: sheets that
- * merely coincide, and points that merely are close, stay what their indices say.
+ * each other; an edge is of its triangle's part. Nothing else is merged: sheets that merely coincide, and points that
+ * merely are close, stay what their indices say.
+ *
+ * The mesh comes in blocks. Edges that only one block can have are settled there; the others are sorted by index,
+ * border edges by the hash of their places, and what is to be joined by place again: joined points lie at one place, so
+ * every place is solved by itself. All sorts are external. The identity of joined points is the smallest index among
+ * them, so the result does not depend on blocks, order or memory.
  */
 #ifndef vtkMTStitch_h
 #define vtkMTStitch_h
 
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTInputBlock.h"
+#include "vtkMTRecordSort.h"
 
-#include <array>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
-struct VTKMTCONSTRUCTION_EXPORT vtkMTStitch
+class VTKMTCONSTRUCTION_EXPORT vtkMTStitch
 {
-  /// [points] the smallest index among the points that have become one.
-  std::vector<std::uint32_t> Root;
-  std::int64_t StitchedEdges = 0;  ///< pairs of border edges that were joined
-  std::int64_t StitchedPoints = 0; ///< points that took another one's identity
+public:
+  /// memory: bytes, for all sorts together.
+  vtkMTStitch(vtkMTSpoolStore& store, std::size_t memory);
+  ~vtkMTStitch();
 
-  /// All indices must be in range; no triangle may have two corners at one place. parts: of each triangle; empty where
-  /// there is only one. A point that triangles of several parts use is of the least of them.
-  static vtkMTStitch Run(const std::vector<std::array<double, 3>>& points,
-    const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<std::int32_t>& parts = {});
+  ///@{
+  /// All blocks, then Finish. No triangle may have two corners at one place. partColumn: which of the block's columns
+  /// says of what part a triangle is, as 32-bit integers; -1: there is only one. False with a message in GetError.
+  bool Add(const vtkMTInputBlock& block, int partColumn = -1);
+  bool Finish();
+  ///@}
+
+  std::int64_t GetStitchedEdges() const { return this->StitchedEdges; }   ///< pairs of border edges that were joined
+  std::int64_t GetStitchedPoints() const { return this->StitchedPoints; } ///< points that took another one's identity
+
+  /**
+   * The identity of a point that was joined with others (the smallest of them has its own); None for all others. Points
+   * must be asked for in increasing order.
+   */
+  std::uint32_t FindRoot(std::uint32_t point);
+  static constexpr std::uint32_t None = ~std::uint32_t(0);
+
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  struct Edge;
+  struct Union;
+
+  bool Fail(const std::string& error);
+  bool AddEdge(
+    vtkMTRecordSort& sort, const vtkMTInputBlock& block, std::uint32_t from, std::uint32_t to, std::int32_t part);
+  bool AddBorderEdge(const Edge& edge);
+  bool FindBorderAmongOpen();
+  bool JoinEdges();
+  bool JoinEdgesAtPlaces(std::vector<Edge>& edges);
+  bool SolvePlaces();
+  bool SolvePlace(std::vector<std::pair<std::uint32_t, std::uint32_t>>& unions);
+
+  vtkMTSpoolStore& Store;
+  const std::size_t Memory;
+  std::string Error;
+  std::unique_ptr<vtkMTRecordSort> Open;   // edges that several blocks may have, by index
+  std::unique_ptr<vtkMTRecordSort> Border; // border edges, by their places
+  std::unique_ptr<vtkMTRecordSort> Unions; // pairs of points, by place
+  std::unique_ptr<vtkMTRecordSort> Roots;  // point above, root below
+  std::uint64_t NextRoot = ~std::uint64_t(0);
+  std::int64_t StitchedEdges = 0;
+  std::int64_t StitchedPoints = 0;
 };
 
 #endif

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationBuilder.h"
 
+#include "vtkMTBuildState.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTInputMesh.h"
 #include "vtkMTLevelLoop.h"
-#include "vtkMTMemorySpool.h"
+#include "vtkMTMemoryPlan.h"
+#include "vtkMTMemorySpoolStore.h"
+#include "vtkMTPatchSink.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTVoronoiPartition.h"
@@ -19,8 +22,25 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
+
+#include <omp.h>
 
 vtkStandardNewMacro(vtkMultiTriangulationBuilder);
+
+namespace
+{
+std::string Describe(const vtkMTBuildSettings::ProgressReport& report)
+{
+  std::string text = "level " + std::to_string(report.Level) + ", " + report.Step;
+  if (report.Triangles > 0)
+  {
+    text += ": " + std::to_string(report.Triangles);
+    text += report.OfTriangles > 0 ? " of " + std::to_string(report.OfTriangles) : "";
+  }
+  return text;
+}
+}
 
 vtkMultiTriangulationBuilder::vtkMultiTriangulationBuilder()
   : PartitionStrategy(vtkSmartPointer<vtkMTVoronoiPartition>::New())
@@ -63,16 +83,24 @@ vtkMTimeType vtkMultiTriangulationBuilder::GetMTime()
   return std::max({ this->Superclass::GetMTime(), this->PartitionStrategy->GetMTime(), this->Simplifier->GetMTime() });
 }
 
+void vtkMultiTriangulationBuilder::SetSpoolStore(std::shared_ptr<vtkMTSpoolStore> store)
+{
+  this->SpoolStore = std::move(store);
+}
+
 bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchSink& output)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->Aborted = false;
   this->UpdateProgress(0.0);
+  this->HasCheckpoint = false;
+  vtkMTMemorySpoolStore memory;
+  vtkMTSpoolStore& store = this->SpoolStore ? *this->SpoolStore : memory;
   bool built = false;
   try
   {
-    built = this->BuildLevels(input, output);
+    built = this->BuildLevels(input, output, store);
   }
   catch (const std::exception& e)
   {
@@ -80,45 +108,133 @@ bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchS
   }
   if (!built)
   {
-    output.Abandon();
+    if (!this->HasCheckpoint)
+    {
+      output.Abandon();
+    }
     this->SetErrorCode(this->Aborted ? vtkErrorCode::UserError : vtkErrorCode::UnknownError);
     return false;
   }
+  this->HasCheckpoint = false;
+  store.Clear();
   this->UpdateProgress(1.0);
   return true;
 }
 
-bool vtkMultiTriangulationBuilder::BuildLevels(vtkMTTriangleStream& input, vtkMTPatchSink& output)
+bool vtkMultiTriangulationBuilder::BuildLevels(
+  vtkMTTriangleStream& input, vtkMTPatchSink& output, vtkMTSpoolStore& store)
 {
-  vtkMTInputMesh mesh;
-  if (!mesh.Read(input, this->LatticeBits, this->MakeNormals, this->ErrorMessage, this->KeepFarOutliers))
+  vtkMTBuildSettings settings;
+  vtkMTBuildState state;
+  std::string identity;
+  if (!this->Configure(input, store, settings) || !this->Begin(settings, input, output, state, identity))
   {
     return false;
   }
-  if (!mesh.Warning.empty())
-  {
-    vtkWarningMacro(<< mesh.Warning);
-  }
-  vtkMTLevelLoop::Settings settings;
+  vtkMTLevelLoop loop(settings, output, identity);
+  const bool built = loop.Run(state);
+  this->HasCheckpoint = this->HasCheckpoint || loop.HasCheckpoint();
+  this->ErrorMessage = loop.GetError();
+  this->Aborted = loop.WasAborted();
+  return built;
+}
+
+vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
+{
+  vtkMTBuildSettings settings;
   settings.PatchTriangles = static_cast<std::size_t>(this->PatchTriangles);
-  settings.NumberOfThreads = this->NumberOfThreads;
+  settings.LatticeBits = this->LatticeBits;
+  settings.MakeNormals = this->MakeNormals;
+  settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.Partition = this->PartitionStrategy;
   settings.Simplifier = this->Simplifier;
-  settings.Progress = [this](double fraction)
+  settings.Threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : omp_get_max_threads();
+  return settings;
+}
+
+vtkMTMemoryPlan vtkMultiTriangulationBuilder::MakeMemoryPlan(const vtkMTTriangleStream& input) const
+{
+  return vtkMTMemoryPlan(input, this->MakeSettings());
+}
+
+bool vtkMultiTriangulationBuilder::Configure(
+  const vtkMTTriangleStream& input, vtkMTSpoolStore& store, vtkMTBuildSettings& settings)
+{
+  settings = this->MakeSettings();
+  settings.Store = &store;
+  settings.Progress = [this](const vtkMTBuildSettings::ProgressReport& report)
   {
-    this->UpdateProgress(fraction);
+    this->SetProgressText(Describe(report).c_str());
+    this->UpdateProgress(report.Fraction);
     return !vtkMTIsAborted(this);
   };
-  vtkMTMemorySpool fragments;
-  vtkMTMemorySpool patches;
-  vtkMTLevelLoop loop(settings, output, fragments, patches);
-  if (!loop.Run(std::move(mesh)))
+  const vtkMTMemoryPlan plan(input, settings);
+  const std::uint64_t limit = static_cast<std::uint64_t>(this->MemoryLimit);
+  if (limit > 0 && limit < plan.GetLeast())
   {
-    this->ErrorMessage = loop.GetError();
-    this->Aborted = loop.WasAborted();
+    this->ErrorMessage = "a memory limit of " + vtkMTMemoryPlan::ToText(limit) +
+      " for the builder is too small for this mesh: " + vtkMTMemoryPlan::ToText(plan.GetLeast()) +
+      " is the least that would do";
     return false;
   }
+  settings.SortMemory = plan.GetSortMemory(limit);
   return true;
+}
+
+// The mesh that the level loop goes on from, read or restored.
+bool vtkMultiTriangulationBuilder::Begin(const vtkMTBuildSettings& settings, vtkMTTriangleStream& input,
+  vtkMTPatchSink& output, vtkMTBuildState& state, std::string& identity)
+{
+  identity = this->GetIdentity(input);
+  vtkMTLevelLoop::Checkpoint checkpoint;
+  if (this->Resume && !vtkMTLevelLoop::ReadCheckpoint(*settings.Store, checkpoint, this->ErrorMessage))
+  {
+    return false;
+  }
+  if (!checkpoint.State.empty())
+  {
+    this->HasCheckpoint = true;
+    if (checkpoint.Identity != identity)
+    {
+      this->ErrorMessage = "the checkpoint is of another input or of other settings: resume with those, or begin anew";
+      return false;
+    }
+    if (!state.Load(*settings.Store, checkpoint.State, this->ErrorMessage))
+    {
+      return false;
+    }
+    const bool restored = output.Restore(state.Graph.Arrays, checkpoint.Sink);
+    this->ErrorMessage = restored ? "" : output.GetError();
+    return restored;
+  }
+  vtkMTInputMesh mesh(settings);
+  if (!mesh.Read(input, state))
+  {
+    this->ErrorMessage = mesh.GetError();
+    this->Aborted = mesh.WasAborted();
+    return false;
+  }
+  if (!mesh.GetWarning().empty())
+  {
+    vtkWarningMacro(<< mesh.GetWarning());
+  }
+  const bool begun = output.Begin(state.Graph.Arrays);
+  this->ErrorMessage = begun ? "" : output.GetError();
+  return begun;
+}
+
+std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream& input) const
+{
+  std::string identity = this->InputIdentity + "; " + std::to_string(input.GetNumberOfPoints()) + " points, " +
+    std::to_string(input.GetNumberOfTriangles()) + " triangles";
+  for (const vtkMTArrayInfo& array : input.GetArrays())
+  {
+    identity += ", " + array.Name + " " + std::to_string(array.GetTupleSize());
+  }
+  return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
+    " bits, normals " + (this->MakeNormals ? "made" : "not made") +
+    (this->KeepFarOutliers ? ", far outliers kept" : "") + "; " + this->PartitionStrategy->GetSettings() + "; " +
+    this->Simplifier->GetSettings();
 }
 
 int vtkMultiTriangulationBuilder::FillOutputPortInformation(int, vtkInformation* info)
@@ -170,6 +286,11 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LatticeBits: " << this->LatticeBits << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MakeNormals: " << (this->MakeNormals ? "on" : "off") << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "SpoolStore: " << (this->SpoolStore ? "given" : "in memory") << "\n";
+  os << indent << "Resume: " << (this->Resume ? "on" : "off") << "\n";
+  os << indent << "InputIdentity: " << this->InputIdentity << "\n";
+  os << indent << "HasCheckpoint: " << (this->HasCheckpoint ? "yes" : "no") << "\n";
   os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
   os << indent << "PartitionStrategy: " << this->PartitionStrategy->GetSettings() << "\n";
   os << indent << "Simplifier: " << this->Simplifier->GetSettings() << "\n";

@@ -15,20 +15,30 @@
  *
  * As a filter it takes vtkPolyData and gives a vtkMultiTriangulation in memory. Build is the same without a pipeline:
  * any triangle stream in, any patch sink out.
+ *
+ * Out of core: the mesh, its fragments and its patches live in spools, and everything that needs all of them goes
+ * through sequential passes and external sorts (BMT sections 4.2.2 and 6). With a spool store on disk and a memory
+ * limit, meshes of any size are built; the result is the same, bit for bit. When store and sink outlive the process, a
+ * checkpoint is kept after each half of a level, from which a later Build with Resume goes on.
  */
 #ifndef vtkMultiTriangulationBuilder_h
 #define vtkMultiTriangulationBuilder_h
 
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTMemoryPlan.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
+#include <memory>
 #include <string>
 
+class vtkMTBuildState;
 class vtkMTPartitionStrategy;
 class vtkMTPatchSink;
 class vtkMTSimplifier;
+class vtkMTSpoolStore;
 class vtkMTTriangleStream;
+struct vtkMTBuildSettings;
 
 class VTKMTCONSTRUCTION_EXPORT vtkMultiTriangulationBuilder : public vtkPolyDataAlgorithm
 {
@@ -86,14 +96,50 @@ public:
   vtkMTSimplifier* GetSimplifier();
   ///@}
 
+  ///@{
+  /**
+   * The most memory that the builder may hold beyond what the process has when Build begins, in bytes; what sinks and
+   * streams hold is not in it. Default 0: no limit. A limit that is too small for the mesh is an error that says the
+   * least that would do. Has no influence on the result.
+   */
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  /// How much memory, and room for spools, a build of that input takes with the present settings.
+  vtkMTMemoryPlan MakeMemoryPlan(const vtkMTTriangleStream& input) const;
+
+  /// What spools are made by: nullptr, the default, keeps everything in memory. Has no influence on the result.
+  void SetSpoolStore(std::shared_ptr<vtkMTSpoolStore> store);
+
+  ///@{
+  /**
+   * Whether Build goes on from the store's checkpoint; when there is none it begins at the beginning. A checkpoint of
+   * other settings or another input is an error. Default off.
+   */
+  vtkSetMacro(Resume, bool);
+  vtkGetMacro(Resume, bool);
+  vtkBooleanMacro(Resume, bool);
+  ///@}
+
+  ///@{
+  /// What tells the input from any other one: kept in checkpoints, and compared. Default: empty.
+  vtkSetStdStringFromCharMacro(InputIdentity);
+  vtkGetCharFromStdStringMacro(InputIdentity);
+  ///@}
+
   /**
    * Builds without a pipeline. False on failure or abort; then ErrorCode and ErrorMessage say why, the sink has been
-   * abandoned and nothing is published. Progress events and AbortExecute work as in the filter.
+   * abandoned and nothing is published, unless there is a checkpoint to go on from (HasCheckpoint): then store and sink
+   * keep what belongs to it. Progress events and AbortExecute work as in the filter; GetProgressText says what is being
+   * done.
    */
   bool Build(vtkMTTriangleStream& input, vtkMTPatchSink& output);
 
   /// Why the last Build failed; empty after success.
   vtkGetMacro(ErrorMessage, std::string);
+  /// Whether the last Build failed and a later one can go on.
+  vtkGetMacro(HasCheckpoint, bool);
 
   /// Of the settings, strategy and simplifier included.
   vtkMTimeType GetMTime() override;
@@ -113,7 +159,12 @@ private:
   vtkMultiTriangulationBuilder(const vtkMultiTriangulationBuilder&) = delete;
   void operator=(const vtkMultiTriangulationBuilder&) = delete;
 
-  bool BuildLevels(vtkMTTriangleStream& input, vtkMTPatchSink& output);
+  bool BuildLevels(vtkMTTriangleStream& input, vtkMTPatchSink& output, vtkMTSpoolStore& store);
+  vtkMTBuildSettings MakeSettings() const;
+  bool Configure(const vtkMTTriangleStream& input, vtkMTSpoolStore& store, vtkMTBuildSettings& settings);
+  bool Begin(const vtkMTBuildSettings& settings, vtkMTTriangleStream& input, vtkMTPatchSink& output,
+    vtkMTBuildState& state, std::string& identity);
+  std::string GetIdentity(const vtkMTTriangleStream& input) const;
 
   int PatchTriangles = 1000;
   int LatticeBits = 24;
@@ -122,7 +173,12 @@ private:
   bool KeepFarOutliers = false;
   vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
   vtkSmartPointer<vtkMTSimplifier> Simplifier;
+  vtkTypeInt64 MemoryLimit = 0;
+  std::shared_ptr<vtkMTSpoolStore> SpoolStore;
+  bool Resume = false;
+  std::string InputIdentity;
   std::string ErrorMessage;
+  bool HasCheckpoint = false;
   bool Aborted = false;
 };
 

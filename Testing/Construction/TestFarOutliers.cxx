@@ -2,9 +2,14 @@
 // What lies so far away that it would coarsen the lattice for everything else.
 #include "MTTestMeshes.h"
 
+#include "vtkMTBuildSettings.h"
+#include "vtkMTBuildState.h"
 #include "vtkMTFarOutliers.h"
 #include "vtkMTInputMesh.h"
+#include "vtkMTMemorySpoolStore.h"
+#include "vtkMTPatchRecord.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTVoronoiPartition.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
@@ -33,13 +38,67 @@ vtkSmartPointer<vtkPolyData> MakeSphere(const std::vector<vtkIdType>& moved, dou
   return mesh;
 }
 
-bool Read(vtkPolyData* mesh, vtkMTInputMesh& input, std::string& error, bool keep = false, int bits = Bits)
+struct Input
 {
+  std::map<std::string, std::int64_t> Report;
+  std::uint64_t InputTriangles = 0;
+  std::uint64_t Triangles = 0;
+  vtkMTLattice Lattice;
+  std::string Warning;
+  std::size_t CellIds = 0; // of all fragments
+};
+
+bool Read(vtkPolyData* mesh, Input& input, std::string& error, bool keep = false, int bits = Bits)
+{
+  const vtkNew<vtkMTVoronoiPartition> partition;
+  vtkMTMemorySpoolStore store;
+  vtkMTBuildSettings settings;
+  settings.LatticeBits = bits;
+  settings.MakeNormals = false;
+  settings.KeepFarOutliers = keep;
+  settings.Partition = partition;
+  settings.Store = &store;
   vtkMTPolyDataStream stream(mesh);
-  return input.Read(stream, bits, false, error, keep);
+  vtkMTBuildState state;
+  vtkMTInputMesh reader(settings);
+  input = Input();
+  const bool read = reader.Read(stream, state);
+  error = reader.GetError();
+  input.Warning = reader.GetWarning();
+  input.Report = state.Graph.InputReport;
+  input.InputTriangles = state.Graph.InputTriangles;
+  input.Lattice = state.Graph.Lattice;
+  for (std::size_t region = 0; read && region < state.Fragments.GetNumberOfKeys(); ++region)
+  {
+    std::vector<std::vector<unsigned char>> records;
+    vtkMTPatch fragment;
+    EXPECT_TRUE(state.Fragments.Take(region, records, error) && !records.empty() &&
+      vtkMTPatchRecord::Decode(records[0], fragment, error));
+    input.Triangles += fragment.Triangles.size();
+    input.CellIds += fragment.CellColumns[0].size() / sizeof(vtkIdType);
+  }
+  return read;
 }
 
-std::int64_t CountDropped(const vtkMTInputMesh& input)
+std::unique_ptr<vtkMTFarOutliers> Find(const std::vector<std::array<double, 3>>& points,
+  const std::vector<std::array<std::uint32_t, 3>>& triangles, vtkMTSpoolStore& store)
+{
+  vtkMTInputBlock block;
+  block.Triangles = triangles;
+  block.FindPoints();
+  for (const std::uint32_t p : block.Points)
+  {
+    block.Places.push_back(points[p]);
+  }
+  auto found = std::make_unique<vtkMTFarOutliers>(Bits, store, std::size_t(1) << 20);
+  while (!found->IsFinished())
+  {
+    EXPECT_TRUE(found->Add(block) && found->FinishStep()) << found->GetError();
+  }
+  return found;
+}
+
+std::int64_t CountDropped(const Input& input)
 {
   const auto found = input.Report.find("dropped_far_outlier");
   return found == input.Report.end() ? 0 : found->second;
@@ -48,21 +107,21 @@ std::int64_t CountDropped(const vtkMTInputMesh& input)
 
 TEST(FarOutliers, OneVertexFarAwayIsLeftOutAndTheRestKeepsItsLattice)
 {
-  vtkMTInputMesh clean;
+  Input clean;
   std::string error;
   ASSERT_TRUE(Read(MakeSphere({}, 0.0), clean, error)) << error;
   EXPECT_EQ(CountDropped(clean), 0);
   for (const double place : { 1e6, 1e12, 1e38, -1e38, 1e300 })
   {
     const auto mesh = MakeSphere({ 700 }, place);
-    vtkMTInputMesh input;
+    Input input;
     ASSERT_TRUE(Read(mesh, input, error)) << error;
     EXPECT_EQ(CountDropped(input), 6) << "the triangles about one vertex";
-    EXPECT_EQ(input.Mesh.Triangles.size(), 5120u - 6u);
+    EXPECT_EQ(input.Triangles, 5120u - 6u);
     EXPECT_EQ(input.InputTriangles, 5120u);
     EXPECT_EQ(input.Lattice.Step, clean.Lattice.Step) << place;
     EXPECT_NE(input.Warning.find("6 of 5120"), std::string::npos) << input.Warning;
-    ASSERT_EQ(input.Mesh.CellColumns[0].size(), input.Mesh.Triangles.size() * sizeof(vtkIdType));
+    EXPECT_EQ(input.CellIds, input.Triangles);
     std::printf("%g: %s\n", place, input.Warning.c_str());
   }
 }
@@ -72,7 +131,7 @@ TEST(FarOutliers, SeveralAtDifferentPlacesAreAllFound)
   auto mesh = MakeSphere({ 700 }, 1e38);
   mesh->GetPoints()->SetPoint(300, 0.0, 1e20, 0.0);
   mesh->GetPoints()->SetPoint(1500, 0.0, 0.0, -3e7);
-  vtkMTInputMesh input;
+  Input input;
   std::string error;
   ASSERT_FALSE(Read(mesh, input, error)) << "18 triangles are more than 16";
   EXPECT_NE(error.find("18 of 5120"), std::string::npos) << error;
@@ -89,19 +148,19 @@ TEST(FarOutliers, MoreThanAFewAreRefusedWithWhatToDo)
     many.push_back(p);
   }
   const auto mesh = MakeSphere(many, 1e12);
-  vtkMTInputMesh input;
+  Input input;
   std::string error;
   EXPECT_FALSE(Read(mesh, input, error));
   EXPECT_NE(error.find("KeepFarOutliers"), std::string::npos) << error;
   EXPECT_TRUE(Read(mesh, input, error, true)) << error;
   EXPECT_EQ(CountDropped(input), 0);
-  EXPECT_EQ(input.Mesh.Triangles.size(), 5120u);
+  EXPECT_EQ(input.Triangles, 5120u);
 }
 
 TEST(FarOutliers, WhatDoesNotCoarsenTheLatticeTooMuchStays)
 {
   // Edges are about 0.05: a step of 1e3 / 2^24 is fine enough for them.
-  vtkMTInputMesh input;
+  Input input;
   std::string error;
   ASSERT_TRUE(Read(MakeSphere({ 700 }, 1e3), input, error)) << error;
   EXPECT_EQ(CountDropped(input), 0);
@@ -127,9 +186,10 @@ TEST(FarOutliers, WhatIsContinuousIsNotTornApart)
       triangles.push_back({ 2 * i, 2 * i + 1, 2 * i - 1 });
     }
   }
-  const vtkMTFarOutliers found = vtkMTFarOutliers::Find(points, triangles, Bits);
-  EXPECT_TRUE(found.Triangles.empty());
-  EXPECT_FALSE(found.IsRefused) << found.Message;
+  vtkMTMemorySpoolStore store;
+  const auto found = Find(points, triangles, store);
+  EXPECT_EQ(found->GetNumberOfOutliers(), 0u);
+  EXPECT_FALSE(found->IsRefused()) << found->GetMessage();
 }
 
 TEST(FarOutliers, SmallThingsScatteredOverAVastSpaceAreBuiltWithAWarning)
@@ -145,8 +205,9 @@ TEST(FarOutliers, SmallThingsScatteredOverAVastSpaceAreBuiltWithAWarning)
     points.push_back({ x, 1.0, 0.0 });
     triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
   }
-  const vtkMTFarOutliers found = vtkMTFarOutliers::Find(points, triangles, Bits);
-  EXPECT_FALSE(found.IsRefused);
-  EXPECT_TRUE(found.Triangles.empty());
-  EXPECT_NE(found.Message, "");
+  vtkMTMemorySpoolStore store;
+  const auto found = Find(points, triangles, store);
+  EXPECT_FALSE(found->IsRefused());
+  EXPECT_EQ(found->GetNumberOfOutliers(), 0u);
+  EXPECT_NE(found->GetMessage(), "");
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTMemorySpoolStore.h"
 #include "vtkMTOrientation.h"
+#include "vtkMTPatchSplitter.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <random>
+#include <set>
 
 namespace
 {
@@ -50,6 +54,85 @@ void Turn(vtkMTPatch& mesh, std::uint32_t t)
   std::swap(mesh.Triangles[t][1], mesh.Triangles[t][2]);
 }
 
+struct Result
+{
+  std::vector<std::uint32_t> Reversed;
+  std::uint64_t NonOrientableTriangles;
+};
+
+// The mesh in fragments: triangle t is in fragment regions[t].
+Result Orient(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& regions, std::uint32_t count)
+{
+  std::vector<std::set<std::uint32_t>> users(mesh.Points.size());
+  std::vector<std::vector<std::uint32_t>> triangles(count);
+  for (std::uint32_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    triangles[regions[t]].push_back(t);
+    for (const std::uint32_t p : mesh.Triangles[t])
+    {
+      users[p].insert(regions[t]);
+    }
+  }
+  std::vector<unsigned char> isShared;
+  std::vector<std::uint64_t> ids;
+  for (std::uint32_t p = 0; p < mesh.Points.size(); ++p)
+  {
+    isShared.push_back(users[p].size() > 1 ? 1 : 0);
+    ids.push_back(vtkMTPatchSplitter::MakeInputId(p));
+  }
+  std::vector<std::uint32_t> scratch(2 * mesh.Points.size(), vtkMTPatchSplitter::None);
+  vtkMTMemorySpoolStore store;
+  vtkMTOrientation orientation(store, std::size_t(1) << 20);
+  std::vector<vtkMTOrientation::Fragment> fragments(count);
+  std::vector<std::vector<std::uint32_t>> pieces(count);
+  for (std::uint32_t f = 0; f < count; ++f)
+  {
+    fragments[f].Run(vtkMTPatchSplitter::Extract(mesh, triangles[f], isShared, ids, {}, {}, scratch), triangles[f]);
+    EXPECT_TRUE(orientation.Add(fragments[f], pieces[f]));
+  }
+  EXPECT_TRUE(orientation.Solve()) << orientation.GetError();
+  Result result;
+  for (std::uint32_t f = 0; f < count; ++f)
+  {
+    for (std::size_t i = 0; i < triangles[f].size(); ++i)
+    {
+      if (orientation.IsReversed(pieces[f][fragments[f].PieceOf[i]], fragments[f].IsTurned[i] != 0))
+      {
+        result.Reversed.push_back(triangles[f][i]);
+      }
+    }
+  }
+  std::sort(result.Reversed.begin(), result.Reversed.end());
+  EXPECT_EQ(result.Reversed.size(), orientation.GetReversedTriangles());
+  result.NonOrientableTriangles = orientation.GetNonOrientableTriangles();
+  return result;
+}
+
+// The same in one fragment, in runs and in fragments without any shape.
+Result Orient(const vtkMTPatch& mesh)
+{
+  std::mt19937 random(9);
+  const std::size_t count = mesh.Triangles.size();
+  const Result result = Orient(mesh, std::vector<std::uint32_t>(count, 0), 1);
+  for (std::uint32_t fragments = 2; fragments < 40; fragments = 2 * fragments + 1)
+  {
+    std::vector<std::uint32_t> runs;
+    std::vector<std::uint32_t> shapeless;
+    for (std::size_t t = 0; t < count; ++t)
+    {
+      runs.push_back(static_cast<std::uint32_t>(t * fragments / count));
+      shapeless.push_back(random() % fragments);
+    }
+    for (const auto& regions : { runs, shapeless })
+    {
+      const Result other = Orient(mesh, regions, fragments);
+      EXPECT_EQ(result.Reversed, other.Reversed) << fragments << " fragments";
+      EXPECT_EQ(result.NonOrientableTriangles, other.NonOrientableTriangles) << fragments << " fragments";
+    }
+  }
+  return result;
+}
+
 std::size_t CountConflicts(const vtkMTPatch& mesh)
 {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
@@ -73,7 +156,7 @@ TEST(Orientation, OrientedMeshesStayAsTheyAre)
 {
   const vtkMTPatch mesh = MakeRing(12, 9, false);
   ASSERT_EQ(CountConflicts(mesh), 0u);
-  EXPECT_TRUE(vtkMTOrientation::Run(mesh).Reversed.empty());
+  EXPECT_TRUE(Orient(mesh).Reversed.empty());
 }
 
 TEST(Orientation, ExactlyTheTurnedTrianglesAreFound)
@@ -92,7 +175,7 @@ TEST(Orientation, ExactlyTheTurnedTrianglesAreFound)
         Turn(mesh, t);
       }
     }
-    const vtkMTOrientation orientation = vtkMTOrientation::Run(mesh);
+    const Result orientation = Orient(mesh);
     EXPECT_EQ(orientation.Reversed, turned);
     EXPECT_EQ(orientation.NonOrientableTriangles, 0u);
   }
@@ -109,7 +192,7 @@ TEST(Orientation, MostTrianglesKeepTheirWinding)
       Turn(mesh, t);
     }
   }
-  const vtkMTOrientation orientation = vtkMTOrientation::Run(mesh);
+  const Result orientation = Orient(mesh);
   EXPECT_LT(orientation.Reversed.size(), mesh.Triangles.size() / 2);
   std::printf("%zu of %zu turned, %zu conflicts before\n", orientation.Reversed.size(), mesh.Triangles.size(),
     CountConflicts(mesh));
@@ -126,7 +209,7 @@ TEST(Orientation, AMoebiusStripIsLeftAndItsNeighboursAreNot)
   const std::size_t strip = mesh.Triangles.size();
   Append(mesh, MakeRing(8, 8, false));
   Turn(mesh, static_cast<std::uint32_t>(strip) + 4);
-  const vtkMTOrientation orientation = vtkMTOrientation::Run(mesh);
+  const Result orientation = Orient(mesh);
   EXPECT_EQ(orientation.NonOrientableTriangles, strip);
   EXPECT_EQ(orientation.Reversed, std::vector<std::uint32_t>{ static_cast<std::uint32_t>(strip) + 4 });
 }
@@ -137,7 +220,7 @@ TEST(Orientation, NothingIsConnectedOverEdgesOfThreeTriangles)
   vtkMTPatch mesh;
   mesh.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 } };
   mesh.Triangles = { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } };
-  const vtkMTOrientation orientation = vtkMTOrientation::Run(mesh);
+  const Result orientation = Orient(mesh);
   EXPECT_TRUE(orientation.Reversed.empty());
   EXPECT_EQ(orientation.NonOrientableTriangles, 0u);
 }

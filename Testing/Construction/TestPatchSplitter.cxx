@@ -106,9 +106,12 @@ TEST(PatchSplitter, PointsUsedByTwoRegionsAreLocked)
   const vtkMTPatch strip = MakeStrip(4, arrays);
   const std::vector<std::uint32_t> regions{ 0, 0, 0, 0, 1, 1, 1, 1 };
   const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, regions, 0, 0);
-  EXPECT_EQ(split.LockedIds.size(), 2u);
-  EXPECT_EQ(split.Pieces[0].Patch.Ids, split.Pieces[1].Patch.Ids);
-  EXPECT_TRUE(split.Uses.empty());
+  const std::vector<std::uint64_t>& ids = split.Pieces[0].Patch.Ids;
+  ASSERT_EQ(ids.size(), 2u);
+  EXPECT_EQ(ids, split.Pieces[1].Patch.Ids);
+  const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { ids[0], 0 }, { ids[1], 0 }, { ids[0], 1 },
+    { ids[1], 1 } };
+  EXPECT_EQ(split.Uses, expected);
 }
 
 TEST(PatchSplitter, SharedPointsKeepTheirIdsAndSayWhoUsesThem)
@@ -117,10 +120,11 @@ TEST(PatchSplitter, SharedPointsKeepTheirIdsAndSayWhoUsesThem)
   vtkMTPatch strip = MakeStrip(4, arrays);
   strip.Ids = { 1001, 1002 }; // the first column
   const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, { 5, 5, 5, 5, 7, 7, 7, 7 }, 2, 9);
-  const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { 1001, 5 }, { 1002, 5 } };
-  auto uses = split.Uses;
-  std::sort(uses.begin(), uses.end());
-  EXPECT_EQ(uses, expected);
+  // The cut makes the middle column shared, beside the first one.
+  const std::uint64_t made[2] = { vtkMTPatchSplitter::MakeId(2, 9, 4), vtkMTPatchSplitter::MakeId(2, 9, 5) };
+  const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { 1001, 5 }, { 1002, 5 }, { made[0], 5 },
+    { made[1], 5 }, { made[0], 7 }, { made[1], 7 } };
+  EXPECT_EQ(split.Uses, expected);
   EXPECT_EQ(split.Pieces[0].Patch.Ids[0], 1001u);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTTestModel.h"
-#include "vtkMTMemorySpool.h"
 #include "vtkMTPatchStore.h"
 
 #include <gtest/gtest.h>
@@ -84,29 +83,6 @@ TEST(PatchStore, OnlyTheArraysAskedForAreRead)
   EXPECT_EQ(some.Ids, all.Ids);
   const std::vector<unsigned char> wrong{ 1 };
   EXPECT_FALSE(tube->ReadPatch(0, &wrong, some, error));
-}
-
-TEST(MemorySpool, GivesBackWhatWasPutUnderAKeyOnceAndInOrder)
-{
-  vtkMTMemorySpool spool;
-  ASSERT_TRUE(spool.Reset(3));
-  for (std::int32_t i = 0; i < 6; ++i)
-  {
-    ASSERT_TRUE(spool.Put(i % 2, Numbered(i)));
-  }
-  EXPECT_FALSE(spool.Put(3, Numbered(9)));
-  EXPECT_FALSE(spool.GetError().empty());
-  std::vector<vtkMTPatch> patches;
-  ASSERT_TRUE(spool.Take(1, patches));
-  ASSERT_EQ(patches.size(), 3u);
-  EXPECT_EQ(patches[0].Points[0][0], 1);
-  EXPECT_EQ(patches[2].Points[0][0], 5);
-  ASSERT_TRUE(spool.Take(2, patches));
-  EXPECT_TRUE(patches.empty());
-  ASSERT_TRUE(spool.Reset(1));
-  ASSERT_TRUE(spool.Take(0, patches));
-  EXPECT_TRUE(patches.empty());
-  EXPECT_FALSE(spool.Take(1, patches));
 }
 
 TEST(Patch, FiguresCountOnlyWhatTrianglesUse)

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTBarycentreSpool.h"
+
+#include "vtkMTPatch.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr std::size_t BlockSize = 65536;
+}
+
+vtkMTBarycentreSpool::vtkMTBarycentreSpool() = default;
+
+vtkMTBarycentreSpool::~vtkMTBarycentreSpool() = default;
+
+std::vector<vtkMTBarycentreSpool::Barycentre> vtkMTBarycentreSpool::GetBarycentres(const vtkMTPatch& mesh)
+{
+  std::vector<Barycentre> result(mesh.Triangles.size());
+  for (std::size_t t = 0; t < result.size(); ++t)
+  {
+    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
+    for (int i = 0; i < 3; ++i)
+    {
+      // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
+      const std::int64_t sum = std::int64_t(mesh.Points[p[0]][i]) + mesh.Points[p[1]][i] + mesh.Points[p[2]][i];
+      result[t][i] = static_cast<double>(sum) / 3.0;
+    }
+  }
+  return result;
+}
+
+bool vtkMTBarycentreSpool::Begin(vtkMTSpoolStore& store, const std::string& name, std::string& error)
+{
+  this->Store = &store;
+  this->Name = name;
+  this->Buffer.clear();
+  this->Spool = store.Create(name, error);
+  return this->Spool != nullptr;
+}
+
+bool vtkMTBarycentreSpool::Put(const std::vector<Barycentre>& barycentres, std::string& error)
+{
+  this->Buffer.insert(this->Buffer.end(), barycentres.begin(), barycentres.end());
+  if (this->Buffer.size() < BlockSize)
+  {
+    return true;
+  }
+  const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
+  this->Buffer.clear();
+  return done;
+}
+
+bool vtkMTBarycentreSpool::Seal(std::string& error)
+{
+  const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
+  this->Buffer = {};
+  return done;
+}
+
+bool vtkMTBarycentreSpool::Open(
+  vtkMTSpoolStore& store, const std::string& name, std::uint64_t triangles, std::string& error)
+{
+  this->Store = &store;
+  this->Name = name;
+  this->Spool = store.Open(name, triangles * sizeof(Barycentre), error);
+  return this->Spool != nullptr;
+}
+
+void vtkMTBarycentreSpool::Remove()
+{
+  if (this->Spool)
+  {
+    this->Spool.reset();
+    this->Store->Remove(this->Name);
+  }
+}
+
+std::size_t vtkMTBarycentreSpool::GetNumberOfTriangles() const
+{
+  return static_cast<std::size_t>(this->Spool->GetSize() / sizeof(Barycentre));
+}
+
+bool vtkMTBarycentreSpool::Scan(const Block& block)
+{
+  this->Error.clear();
+  const std::size_t count = this->GetNumberOfTriangles();
+  std::vector<Barycentre> barycentres(std::min(BlockSize, count));
+  for (std::size_t begin = 0; begin < count; begin += BlockSize)
+  {
+    const std::size_t size = std::min(BlockSize, count - begin);
+    if (this->Continue && !this->Continue())
+    {
+      this->Error = "aborted";
+      return false;
+    }
+    if (!this->Spool->Read(begin * sizeof(Barycentre), size * sizeof(Barycentre), barycentres.data(), this->Error))
+    {
+      return false;
+    }
+    block(barycentres.data(), size);
+  }
+  return true;
+}

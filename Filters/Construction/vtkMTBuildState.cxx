@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTBuildState.h"
+
+#include "vtkMTBytes.h"
+
+namespace
+{
+void PutArrays(vtkMTBytes::Writer& writer, const std::vector<vtkMTArrayInfo>& arrays)
+{
+  writer.Put<std::uint64_t>(arrays.size());
+  for (const vtkMTArrayInfo& array : arrays)
+  {
+    writer.PutText(array.Name);
+    writer.Put(array.Type);
+    writer.Put(array.Components);
+    writer.Put(array.Association);
+    writer.Put(array.Resampling);
+    writer.Put(array.Role);
+    writer.Put(array.Attribute);
+    writer.Put<std::uint64_t>(array.ComponentNames.size());
+    for (const std::string& name : array.ComponentNames)
+    {
+      writer.PutText(name);
+    }
+  }
+}
+
+void TakeArrays(vtkMTBytes::Reader& reader, std::vector<vtkMTArrayInfo>& arrays)
+{
+  arrays.clear();
+  for (auto count = reader.Take<std::uint64_t>(); count > 0 && reader.IsSound(); --count)
+  {
+    vtkMTArrayInfo array;
+    array.Name = reader.TakeText();
+    array.Type = reader.Take<int>();
+    array.Components = reader.Take<int>();
+    array.Association = reader.Take<vtkMTArrayInfo::AssociationType>();
+    array.Resampling = reader.Take<vtkMTArrayInfo::ResamplingType>();
+    array.Role = reader.Take<vtkMTArrayInfo::RoleType>();
+    array.Attribute = reader.Take<int>();
+    for (auto names = reader.Take<std::uint64_t>(); names > 0 && reader.IsSound(); --names)
+    {
+      array.ComponentNames.push_back(reader.TakeText());
+    }
+    arrays.push_back(array);
+  }
+}
+}
+
+vtkMTBuildState::vtkMTBuildState() = default;
+
+vtkMTBuildState::~vtkMTBuildState() = default;
+
+void vtkMTBuildState::Save(std::vector<unsigned char>& bytes) const
+{
+  vtkMTBytes::Writer writer(bytes);
+  writer.Put(this->Stage);
+  writer.Put(this->Level);
+  writer.Put(this->Graph.Lattice);
+  PutArrays(writer, this->Graph.Arrays);
+  writer.Put(this->Graph.InputTriangles);
+  writer.PutCounts(this->Graph.InputReport);
+  writer.PutCounts(this->Graph.Blocked);
+  writer.Put(this->Graph.FullySharedBorders);
+  writer.PutList(this->Nodes);
+  writer.PutList(this->Arcs);
+  writer.Put(this->FirstArcOfLevel);
+  writer.PutList(this->NodeOfFragment);
+  writer.Put(this->NextRegions);
+  writer.PutList(this->LevelTriangles);
+  writer.Put(this->SimplifiedTriangles);
+  std::vector<unsigned char> records;
+  (this->Stage == HasPatches ? this->Patches : this->Fragments).Save(records);
+  writer.PutList(records);
+}
+
+bool vtkMTBuildState::Load(vtkMTSpoolStore& store, const std::vector<unsigned char>& bytes, std::string& error)
+{
+  vtkMTBytes::Reader reader(bytes);
+  this->Stage = reader.Take<StageType>();
+  this->Level = reader.Take<std::uint32_t>();
+  this->Graph.Lattice = reader.Take<vtkMTLattice>();
+  TakeArrays(reader, this->Graph.Arrays);
+  this->Graph.InputTriangles = reader.Take<std::uint64_t>();
+  reader.TakeCounts(this->Graph.InputReport);
+  reader.TakeCounts(this->Graph.Blocked);
+  this->Graph.FullySharedBorders = reader.Take<std::uint32_t>();
+  reader.TakeList(this->Nodes);
+  reader.TakeList(this->Arcs);
+  this->FirstArcOfLevel = reader.Take<std::uint64_t>();
+  reader.TakeList(this->NodeOfFragment);
+  this->NextRegions = reader.Take<std::uint32_t>();
+  reader.TakeList(this->LevelTriangles);
+  this->SimplifiedTriangles = reader.Take<std::uint64_t>();
+  std::vector<unsigned char> records;
+  reader.TakeList(records);
+  if (!reader.IsSound() || !reader.IsAtEnd() || this->LevelTriangles.empty())
+  {
+    error = "the checkpoint does not hold what was kept";
+    return false;
+  }
+  if (this->Stage == HasPatches)
+  {
+    return this->Patches.Open(store, GetPatchesName(this->Level), records, error);
+  }
+  return this->Fragments.Open(store, GetFragmentsName(this->Level), records, error) &&
+    this->Barycentres.Open(store, GetBarycentresName(this->Level), this->LevelTriangles.back(), error);
+}

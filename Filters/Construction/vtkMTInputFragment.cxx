@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTInputFragment.h"
+
+#include "vtkMTBytes.h"
+#include "vtkMTPatchRecord.h"
+#include "vtkMTPatchSplitter.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace
+{
+using Point = vtkMTInputRegions::Point;
+using Triangle = vtkMTInputRegions::Triangle;
+
+template <typename Record>
+std::vector<Record> ReadAll(const std::vector<unsigned char>& bytes, std::size_t size)
+{
+  std::vector<Record> records(bytes.size() / size);
+  for (std::size_t i = 0; i < records.size(); ++i)
+  {
+    std::memcpy(&records[i], bytes.data() + i * size, sizeof(Record));
+  }
+  return records;
+}
+
+// Points and wedges: shared points first, then in order of identity; wedges in order of their points.
+std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const std::vector<unsigned char>& bytes,
+  const vtkMTInputFragment::Layout& layout, vtkMTPatch& mesh)
+{
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto isBefore = [&points](std::uint32_t i, std::uint32_t j)
+  {
+    const Point& a = points[i];
+    const Point& b = points[j];
+    return a.IsShared != b.IsShared ? a.IsShared > b.IsShared : a.Root != b.Root ? a.Root < b.Root : a.Wedge < b.Wedge;
+  };
+  std::stable_sort(order.begin(), order.end(), isBefore);
+  std::vector<std::uint32_t> wedgeOf(points.size());
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const Point& point = points[order[i]];
+    const bool isNewPoint = i == 0 || points[last].Root != point.Root;
+    if (isNewPoint)
+    {
+      mesh.Points.push_back(point.X);
+      if (point.IsShared)
+      {
+        mesh.Ids.push_back(vtkMTPatchSplitter::MakeInputId(point.Root));
+      }
+    }
+    if (isNewPoint || points[last].Wedge != point.Wedge)
+    {
+      mesh.WedgePoints.push_back(static_cast<std::uint32_t>(mesh.Points.size() - 1));
+      const unsigned char* values = bytes.data() + order[i] * layout.PointSize + sizeof(Point);
+      for (std::size_t c = 0; c < layout.PointTupleSizes.size(); ++c)
+      {
+        mesh.PointColumns[c].insert(mesh.PointColumns[c].end(), values, values + layout.PointTupleSizes[c]);
+        values += layout.PointTupleSizes[c];
+      }
+    }
+    wedgeOf[order[i]] = static_cast<std::uint32_t>(mesh.WedgePoints.size() - 1);
+    last = order[i];
+  }
+  if (mesh.WedgePoints.size() == mesh.Points.size())
+  {
+    mesh.WedgePoints.clear();
+  }
+  return wedgeOf;
+}
+}
+
+void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& records, const Layout& layout)
+{
+  const std::vector<Point> points = ReadAll<Point>(records.Points, layout.PointSize);
+  this->Mesh.PointColumns.resize(layout.PointTupleSizes.size());
+  const std::vector<std::uint32_t> wedgeOf = MakeWedges(points, records.Points, layout, this->Mesh);
+  records.Points = {};
+
+  const std::vector<Triangle> triangles = ReadAll<Triangle>(records.Triangles, layout.TriangleSize);
+  this->Mesh.CellColumns.resize(layout.CellTupleSizes.size() + 1);
+  vtkMTColumn& ids = this->Mesh.CellColumns.back();
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    vtkMTTriangle wedges;
+    for (int c = 0; c < 3; ++c)
+    {
+      const std::uint32_t point = triangles[t].Points[c];
+      const auto found = std::lower_bound(points.begin(), points.end(), point,
+        [](const Point& record, std::uint32_t index) { return static_cast<std::uint32_t>(record.Key) < index; });
+      wedges[c] = wedgeOf[static_cast<std::size_t>(found - points.begin())];
+    }
+    this->Mesh.Triangles.push_back(wedges);
+    this->Numbers.push_back(triangles[t].Number);
+    const unsigned char* values = records.Triangles.data() + t * layout.TriangleSize + sizeof(Triangle);
+    for (std::size_t c = 0; c < layout.CellTupleSizes.size(); ++c)
+    {
+      this->Mesh.CellColumns[c].insert(this->Mesh.CellColumns[c].end(), values, values + layout.CellTupleSizes[c]);
+      values += layout.CellTupleSizes[c];
+    }
+    const auto* id = reinterpret_cast<const unsigned char*>(&triangles[t].CellId);
+    ids.insert(ids.end(), id, id + sizeof(triangles[t].CellId));
+  }
+  records.Triangles = {};
+  this->Orientation.Run(this->Mesh, this->Numbers);
+  if (layout.MakeNormals)
+  {
+    vtkMTSharedNormals::FindTerms(
+      this->Mesh, this->Numbers, this->Orientation.PieceOf, this->Orientation.IsTurned, region, this->Terms);
+  }
+}
+
+void vtkMTInputFragment::Encode(std::vector<unsigned char>& mesh, std::vector<unsigned char>& orientation) const
+{
+  vtkMTPatchRecord::Encode(this->Mesh, mesh);
+  orientation.clear();
+  vtkMTBytes::Writer writer(orientation);
+  writer.PutList(this->Pieces);
+  // As a rule a fragment is one piece and all of its triangles agree: nothing has to be said then.
+  const auto& turned = this->Orientation.IsTurned;
+  if (this->Pieces.size() > 1 || std::find(turned.begin(), turned.end(), 1) != turned.end())
+  {
+    writer.PutList(this->Orientation.PieceOf);
+    writer.PutList(turned);
+  }
+}
+
+bool vtkMTInputFragment::Decode(
+  const std::vector<unsigned char>& mesh, const std::vector<unsigned char>& orientation, std::string& error)
+{
+  if (!vtkMTPatchRecord::Decode(mesh, this->Mesh, error))
+  {
+    return false;
+  }
+  vtkMTBytes::Reader reader(orientation);
+  reader.TakeList(this->Pieces);
+  this->Orientation.PieceOf.assign(this->Mesh.Triangles.size(), 0);
+  this->Orientation.IsTurned.assign(this->Mesh.Triangles.size(), 0);
+  if (!reader.IsAtEnd())
+  {
+    reader.TakeList(this->Orientation.PieceOf);
+    reader.TakeList(this->Orientation.IsTurned);
+  }
+  error = reader.IsSound() ? error : "temporary data does not hold the fragment that was written";
+  return reader.IsSound();
+}
+
+void vtkMTInputFragment::TurnRound(const vtkMTOrientation& orientation)
+{
+  for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
+  {
+    const std::uint32_t piece = this->Pieces[this->Orientation.PieceOf[t]];
+    if (orientation.IsReversed(piece, this->Orientation.IsTurned[t] != 0))
+    {
+      std::swap(this->Mesh.Triangles[t][1], this->Mesh.Triangles[t][2]);
+    }
+  }
+}
+
+void vtkMTInputFragment::AddNormals(const std::vector<std::array<float, 3>>& normals)
+{
+  const std::size_t wedges = this->Mesh.GetNumberOfWedges();
+  vtkMTColumn column(wedges * sizeof(normals[0]));
+  for (std::uint32_t w = 0; w < wedges; ++w)
+  {
+    std::memcpy(column.data() + w * sizeof(normals[0]), &normals[this->Mesh.GetPointOfWedge(w)], sizeof(normals[0]));
+  }
+  this->Mesh.PointColumns.push_back(std::move(column));
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTInputFragment
+ * @brief one region of the input as a fragment of M_0: put together, with what is needed to finish it
+ *
+ * A fragment is made in two steps, as its orientation and the normals at its shared points depend on other fragments.
+ * Make puts the region's triangles and points together, finds the pieces that hang together and the terms of shared
+ * normals; Finish turns triangles round, adds normals and the reach of the input. In between it is kept as bytes.
+ */
+#ifndef vtkMTInputFragment_h
+#define vtkMTInputFragment_h
+
+#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTInputRegions.h"
+#include "vtkMTOrientation.h"
+#include "vtkMTPatch.h"
+#include "vtkMTSharedNormals.h"
+
+#include <string>
+#include <vector>
+
+struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
+{
+  vtkMTPatch Mesh;
+  std::vector<std::uint32_t> Numbers; ///< of the triangles, in the whole input
+  vtkMTOrientation::Fragment Orientation;
+  std::vector<vtkMTSharedNormals::Term> Terms;
+  std::vector<std::uint32_t> Pieces; ///< as vtkMTOrientation::Add numbered them
+
+  struct Layout
+  {
+    std::size_t TriangleSize;
+    std::size_t PointSize;
+    std::vector<std::size_t> PointTupleSizes;
+    std::vector<std::size_t> CellTupleSizes;
+    bool MakeNormals;
+  };
+
+  /// The region's records are given up.
+  void Make(std::uint32_t region, vtkMTInputRegions::Region&& records, const Layout& layout);
+
+  ///@{
+  /// Mesh, orientation and pieces, as bytes.
+  void Encode(std::vector<unsigned char>& mesh, std::vector<unsigned char>& orientation) const;
+  bool Decode(
+    const std::vector<unsigned char>& mesh, const std::vector<unsigned char>& orientation, std::string& error);
+  ///@}
+
+  void TurnRound(const vtkMTOrientation& orientation);
+  /// One normal per point.
+  void AddNormals(const std::vector<std::array<float, 3>>& normals);
+};
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTInputRegions
+ * @brief sorts the input's triangles and points into the regions of Psi_0
+ *
+ * Triangles are sorted by region. The pairs (point, region) are sorted by point and walked beside the points and their
+ * stitched identities: a point that several regions have is shared. Points that were stitched make a detour over their
+ * identity, since all of them together say who shares it and which of them are one wedge: those with equal values.
+ * Sorted by region, the result is what each region needs of its points. All sorts are external and stable.
+ */
+#ifndef vtkMTInputRegions_h
+#define vtkMTInputRegions_h
+
+#include "vtkMTBuildSettings.h"
+#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTInputBlock.h"
+#include "vtkMTLattice.h"
+#include "vtkMTRecordSort.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkMTInputSpool;
+class vtkMTStitch;
+
+class VTKMTCONSTRUCTION_EXPORT vtkMTInputRegions
+{
+public:
+  /// What a region needs of a triangle: input's point indices, its number among all that are kept, values behind it.
+  struct Triangle
+  {
+    std::uint64_t Region;
+    std::uint32_t Points[3];
+    std::uint32_t Number;
+    std::int64_t CellId;
+  };
+
+  /// And of a point: its identity, the point that stands for its wedge; its values behind it.
+  struct Point
+  {
+    std::uint64_t Key; ///< region above, input's index below
+    std::uint32_t Root;
+    std::uint32_t Wedge;
+    vtkMTPoint X;
+    std::uint32_t IsShared;
+  };
+
+  /// One region's records, one behind the other.
+  struct Region
+  {
+    std::vector<unsigned char> Triangles;
+    std::vector<unsigned char> Points;
+  };
+
+  /// memory: bytes, for all sorts together.
+  vtkMTInputRegions(const vtkMTBuildSettings& settings, const vtkMTInputSpool& input, std::size_t memory);
+  ~vtkMTInputRegions();
+
+  std::size_t GetTriangleSize() const { return this->TriangleSize; } ///< bytes of a triangle with its values
+  std::size_t GetPointSize() const { return this->PointSize; }
+
+  ///@{
+  /// All blocks in order, then FindPoints, then regions in increasing order. False with a message in GetError.
+  bool Add(const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions);
+  bool FindPoints(vtkMTStitch& stitch, const vtkMTLattice& lattice);
+  bool Take(std::uint32_t region, Region& result);
+  ///@}
+
+  std::uint64_t GetUsedPoints() const { return this->UsedPoints; } ///< of the input's
+  std::uint64_t GetSeamWedges() const { return this->SeamWedges; } ///< wedges beyond the first of each point
+  bool WasAborted() const { return this->Aborted; }
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  bool Fail(const std::string& error);
+  bool AddPoint(std::uint32_t point, const std::vector<std::uint32_t>& regions, const unsigned char* bytes,
+    std::uint32_t root, const vtkMTLattice& lattice);
+  bool SolveStitched();
+  bool SolveIdentity(std::uint32_t root, std::vector<unsigned char>& records);
+
+  const vtkMTBuildSettings& Settings;
+  const vtkMTInputSpool& Input;
+  const std::size_t ValueSize;
+  const std::size_t TriangleSize;
+  const std::size_t PointSize;
+  std::string Error;
+  bool Aborted = false;
+  vtkMTRecordSort Triangles; // by region
+  vtkMTRecordSort Requests;  // point above, region below
+  vtkMTRecordSort Stitched;  // identity above, region below
+  vtkMTRecordSort Points;    // region above, point below
+  std::vector<unsigned char> Record;
+  const unsigned char* NextTriangle = nullptr;
+  const unsigned char* NextPoint = nullptr;
+  std::uint64_t NextNumber = 0;
+  std::uint64_t UsedPoints = 0;
+  std::uint64_t SeamWedges = 0;
+};
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTBytes
+ * @brief numbers, lists and texts to bytes and back, in the machine's order, for what a builder puts aside
+ *
+ * For temporary data of one machine only: files that leave it have formats of their own. Reading checks every length
+ * against the bytes that are left; once something was wrong, everything reads as zero and IsSound says so.
+ */
+#ifndef vtkMTBytes_h
+#define vtkMTBytes_h
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace vtkMTBytes
+{
+class Writer
+{
+public:
+  explicit Writer(std::vector<unsigned char>& bytes)
+    : Bytes(bytes)
+  {
+  }
+
+  template <typename Value>
+  void Put(const Value& value)
+  {
+    static_assert(std::is_trivially_copyable<Value>::value, "only values without pointers");
+    this->PutBytes(&value, sizeof(value));
+  }
+  template <typename Value>
+  void PutList(const std::vector<Value>& list)
+  {
+    static_assert(std::is_trivially_copyable<Value>::value, "only values without pointers");
+    this->Put<std::uint64_t>(list.size());
+    this->PutBytes(list.data(), list.size() * sizeof(Value));
+  }
+  void PutText(const std::string& text)
+  {
+    this->Put<std::uint64_t>(text.size());
+    this->PutBytes(text.data(), text.size());
+  }
+  void PutCounts(const std::map<std::string, std::int64_t>& counts)
+  {
+    this->Put<std::uint64_t>(counts.size());
+    for (const auto& [name, count] : counts)
+    {
+      this->PutText(name);
+      this->Put(count);
+    }
+  }
+
+private:
+  void PutBytes(const void* data, std::size_t size)
+  {
+    const unsigned char* from = static_cast<const unsigned char*>(data);
+    this->Bytes.insert(this->Bytes.end(), from, from + size);
+  }
+
+  std::vector<unsigned char>& Bytes;
+};
+
+class Reader
+{
+public:
+  Reader(const unsigned char* bytes, std::size_t size)
+    : Next(bytes)
+    , Left(size)
+  {
+  }
+  explicit Reader(const std::vector<unsigned char>& bytes)
+    : Reader(bytes.data(), bytes.size())
+  {
+  }
+
+  bool IsSound() const { return this->Sound; }
+  bool IsAtEnd() const { return this->Left == 0; }
+
+  template <typename Value>
+  Value Take()
+  {
+    static_assert(std::is_trivially_copyable<Value>::value, "only values without pointers");
+    Value value{};
+    this->TakeBytes(&value, sizeof(value));
+    return value;
+  }
+  template <typename Value>
+  void TakeList(std::vector<Value>& list)
+  {
+    const std::uint64_t size = this->TakeCount(sizeof(Value));
+    list.resize(static_cast<std::size_t>(size));
+    this->TakeBytes(list.data(), list.size() * sizeof(Value));
+  }
+  std::string TakeText()
+  {
+    std::string text(static_cast<std::size_t>(this->TakeCount(1)), '\0');
+    this->TakeBytes(&text[0], text.size());
+    return text;
+  }
+  void TakeCounts(std::map<std::string, std::int64_t>& counts)
+  {
+    counts.clear();
+    const std::uint64_t size = this->TakeCount(1);
+    for (std::uint64_t i = 0; i < size && this->Sound; ++i)
+    {
+      const std::string name = this->TakeText();
+      counts[name] = this->Take<std::int64_t>();
+    }
+  }
+
+private:
+  std::uint64_t TakeCount(std::size_t itemSize)
+  {
+    const auto count = this->Take<std::uint64_t>();
+    this->Sound = this->Sound && count <= this->Left / itemSize;
+    return this->Sound ? count : 0;
+  }
+  void TakeBytes(void* to, std::size_t size)
+  {
+    this->Sound = this->Sound && size <= this->Left;
+    if (this->Sound && size > 0)
+    {
+      std::memcpy(to, this->Next, size);
+      this->Next += size;
+      this->Left -= size;
+    }
+  }
+
+  const unsigned char* Next;
+  std::size_t Left;
+  bool Sound = true;
+};
+}
+
+#endif

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTSpoolStore.h"
+
+vtkMTSpoolStore::~vtkMTSpoolStore() = default;

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The construction in spools: the result does not depend on memory, and every failure is reported.
+#include "MTFaultyStore.h"
+#include "MTTestMeshes.h"
+
+#include "vtkMTBuildSettings.h"
+#include "vtkMTBuildState.h"
+#include "vtkMTEdgeCollapse.h"
+#include "vtkMTInputMesh.h"
+#include "vtkMTLevelLoop.h"
+#include "vtkMTMemoryPlan.h"
+#include "vtkMTMemorySpoolStore.h"
+#include "vtkMTOrderedWork.h"
+#include "vtkMTPatchRecord.h"
+#include "vtkMTPatchStore.h"
+#include "vtkMTPolyDataStream.h"
+#include "vtkMTVoronoiPartition.h"
+#include "vtkMultiTriangulationBuilder.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+struct Model
+{
+  vtkMTPatchStore Patches;
+  vtkMTMemorySpoolStore Spools;
+  std::string Error;
+  bool Built = false;
+
+  Model(vtkPolyData* mesh, std::size_t sortMemory, int threads)
+  {
+    const vtkNew<vtkMTVoronoiPartition> partition;
+    const vtkNew<vtkMTEdgeCollapse> simplifier;
+    vtkMTBuildSettings settings;
+    settings.PatchTriangles = 100;
+    settings.Partition = partition;
+    settings.Simplifier = simplifier;
+    settings.Threads = threads;
+    settings.SortMemory = sortMemory;
+    settings.Store = &this->Spools;
+    vtkMTPolyDataStream stream(mesh);
+    vtkMTBuildState state;
+    vtkMTInputMesh input(settings);
+    vtkMTLevelLoop loop(settings, this->Patches, "");
+    this->Built = input.Read(stream, state) && this->Patches.Begin(state.Graph.Arrays) && loop.Run(state);
+    this->Error = input.GetError() + loop.GetError();
+  }
+};
+
+void ExpectSame(const vtkMTPatchStore& a, const vtkMTPatchStore& b, const char* name)
+{
+  ASSERT_EQ(a.GetGraph().Arcs.size(), b.GetGraph().Arcs.size()) << name;
+  ASSERT_EQ(a.GetGraph().Nodes.size(), b.GetGraph().Nodes.size()) << name;
+  EXPECT_EQ(a.GetGraph().InputReport, b.GetGraph().InputReport) << name;
+  for (std::size_t n = 0; n < a.GetGraph().Nodes.size(); ++n)
+  {
+    EXPECT_EQ(a.GetGraph().Nodes[n].Error, b.GetGraph().Nodes[n].Error) << name << ", node " << n;
+  }
+  std::vector<unsigned char> bytesOfA;
+  std::vector<unsigned char> bytesOfB;
+  for (std::uint32_t arc = 0; arc < a.GetGraph().Arcs.size(); ++arc)
+  {
+    vtkMTPatch patch;
+    std::string error;
+    ASSERT_TRUE(a.ReadPatch(arc, nullptr, patch, error));
+    vtkMTPatchRecord::Encode(patch, bytesOfA);
+    ASSERT_TRUE(b.ReadPatch(arc, nullptr, patch, error));
+    vtkMTPatchRecord::Encode(patch, bytesOfB);
+    ASSERT_EQ(bytesOfA, bytesOfB) << name << ", arc " << arc;
+  }
+}
+}
+
+TEST(OutOfCore, ModelDoesNotDependOnMemoryOrThreads)
+{
+  using namespace MTTestMeshes;
+  const std::pair<const char*, vtkSmartPointer<vtkPolyData>> meshes[] = { { "fractal sphere", FractalSphere(6) },
+    { "sphere as soup", SphereSoup(6) }, { "random soup", RandomSoup(20000) }, { "seam", SeamSphere(200, 150) },
+    { "dirty", Dirty(100, 20) } };
+  for (const auto& [name, mesh] : meshes)
+  {
+    AddArrays(mesh);
+    const Model much(mesh, std::size_t(1) << 30, 1);
+    const Model little(mesh, 0, 3); // each sort gets its minimum
+    ASSERT_TRUE(much.Built && little.Built) << name << ": " << much.Error << little.Error;
+    ExpectSame(much.Patches, little.Patches, name);
+    std::printf("%-16s %9llu bytes spooled with much memory, %9llu with little\n", name,
+      static_cast<unsigned long long>(much.Spools.GetLargestSize()),
+      static_cast<unsigned long long>(little.Spools.GetLargestSize()));
+    EXPECT_GT(little.Spools.GetLargestSize(), much.Spools.GetLargestSize()) << name << ": nothing was spilled";
+  }
+}
+
+TEST(OutOfCore, EveryFailedWriteOrReadIsAnErrorAndNothingIsPublished)
+{
+  const auto mesh = MTTestMeshes::SphereSoup(3);
+  std::uint64_t writes = 1;
+  std::uint64_t reads = 0;
+  std::size_t runs = 0;
+  for (std::uint64_t i = 0; i <= writes + reads; ++i, ++runs)
+  {
+    vtkMTMemorySpoolStore memory;
+    const auto store = std::make_shared<MTFaultyStore>(memory);
+    if (i > 0)
+    {
+      (i <= writes ? store->FailingWrite : store->FailingRead) = i <= writes ? i - 1 : i - writes - 1;
+    }
+    vtkMTPatchStore patches;
+    vtkNew<vtkMultiTriangulationBuilder> builder;
+    builder->SetPatchTriangles(100);
+    builder->SetNumberOfThreads(2);
+    builder->SetSpoolStore(store);
+    vtkMTPolyDataStream stream(mesh);
+    EXPECT_EQ(builder->Build(stream, patches), i == 0);
+    if (i == 0)
+    {
+      writes = store->GetNumberOfWrites();
+      reads = store->GetNumberOfReads();
+      continue;
+    }
+    EXPECT_NE(builder->GetErrorMessage().find("planned failure"), std::string::npos)
+      << i << ": " << builder->GetErrorMessage();
+    EXPECT_TRUE(patches.GetGraph().IsEmpty());
+  }
+  std::printf("%zu builds: %llu writes, %llu reads\n", runs, static_cast<unsigned long long>(writes),
+    static_cast<unsigned long long>(reads));
+}
+
+TEST(OutOfCore, LimitThatIsTooSmallSaysTheLeastThatWouldDo)
+{
+  const auto mesh = MTTestMeshes::FractalSphere(5);
+  vtkMTPolyDataStream stream(mesh);
+  vtkMTPatchStore patches;
+  vtkNew<vtkMultiTriangulationBuilder> builder;
+  builder->SetMemoryLimit(1 << 20);
+  EXPECT_FALSE(builder->Build(stream, patches));
+  const std::uint64_t least = builder->MakeMemoryPlan(stream).GetLeast();
+  EXPECT_NE(builder->GetErrorMessage().find(vtkMTMemoryPlan::ToText(least)), std::string::npos)
+    << builder->GetErrorMessage();
+  builder->SetMemoryLimit(static_cast<vtkTypeInt64>(least));
+  EXPECT_TRUE(builder->Build(stream, patches)) << builder->GetErrorMessage();
+  EXPECT_EQ(vtkMTMemoryPlan::ToText(1), "1 MiB");
+  EXPECT_EQ(vtkMTMemoryPlan::ToText((std::uint64_t(3) << 29) + 1), "1.6 GiB");
+}
+
+TEST(OrderedWork, ResultsAreTakenInOrderAndTheFirstFailureIsReported)
+{
+  for (const int threads : { 1, 2, 5 })
+  {
+    std::vector<std::size_t> fetched;
+    std::vector<std::size_t> slots(vtkMTOrderedWork::GetNumberOfSlots(threads));
+    std::vector<std::size_t> taken;
+    std::string error;
+    const auto fetch = [&](std::size_t i, std::size_t, std::string&)
+    {
+      fetched.push_back(i); // one at a time
+      return true;
+    };
+    const auto work = [&](std::size_t i, std::size_t slot, std::string&)
+    {
+      slots[slot] = i * i;
+      return true;
+    };
+    const auto take = [&](std::size_t i, std::size_t slot, std::string&)
+    {
+      EXPECT_EQ(slots[slot], i * i);
+      taken.push_back(i);
+      return true;
+    };
+    ASSERT_TRUE(vtkMTOrderedWork::Run(1000, threads, fetch, work, take, error)) << error;
+    ASSERT_EQ(taken.size(), 1000u);
+    EXPECT_TRUE(std::is_sorted(taken.begin(), taken.end()));
+    EXPECT_EQ(fetched, taken);
+
+    const auto fail = [](std::size_t i, std::size_t, std::string& message)
+    {
+      message = "failure " + std::to_string(i);
+      if (i == 700)
+      {
+        throw std::runtime_error("thrown");
+      }
+      return i < 500;
+    };
+    taken.clear();
+    EXPECT_FALSE(vtkMTOrderedWork::Run(
+      1000, threads, fail,
+      [&](std::size_t i, std::size_t, std::string&)
+      {
+        taken.push_back(i);
+        return true;
+      },
+      error));
+    EXPECT_EQ(error, "failure 500");
+    EXPECT_EQ(taken.size(), 500u);
+  }
+}
