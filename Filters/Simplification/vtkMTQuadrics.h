@@ -22,22 +22,28 @@
 class vtkMTQuadrics
 {
 public:
-  using Region = vtkMTCollapseRegion;
-  using Point = Region::Point;
+  using Vector = vtkMTCollapseRegion::Vector;
+  using Rule = vtkMTCollapseRegion::Rule;
+
+  struct Proposal
+  {
+    Vector Place;
+    double Cost;
+  };
 
   explicit vtkMTQuadrics(const vtkMTCollapseRegion& region)
     : R(region)
   {
   }
 
-  /// The best place for a collapse under the rule; not for Rule::Refused.
-  Point GetPlace(Region::Halfedge h, Region::Rule rule) const;
-  double GetCost(Region::Halfedge h, const Point& place) const;
-
   /// All quadrics.
   void Initialize();
   /// Those that the collapse into this vertex has changed.
-  void Update(Region::Vertex kept);
+  void Update(std::uint32_t kept);
+
+  /// The best place for a collapse under the rule, and what it costs; not for Rule::Refused.
+  Proposal Propose(std::uint32_t h, Rule rule) const;
+  double GetCost(std::uint32_t h, const Vector& place) const;
 
 private:
   // A symmetric matrix (xx xy xz yy yz zz), a vector and a number: x' A x + 2 b' x + c.
@@ -48,24 +54,22 @@ private:
     double C = 0.0;
 
     void AddPlane(const std::array<double, 4>& g);
-    double Evaluate(const Point& p) const;
+    double Evaluate(const Vector& p) const;
     double GetTrace() const { return this->A[0] + this->A[3] + this->A[5]; }
   };
   // A plane times the square root of its weight: its outer product is the quadric.
   using Plane = std::array<double, 4>;
 
-  void MakePlane(Region::Face f);
-  void MakeQuadric(Region::Vertex v);
-  void AddCurvePlanes(Region::Vertex v, Quadric& q) const;
-  const Quadric& GetSum(Region::Halfedge h) const;
-  static Point Minimize(const Quadric& q, const Point& middle);
+  void MakePlane(std::uint32_t h);
+  void MakeQuadric(std::uint32_t v);
+  void AddCurvePlanes(std::uint32_t v, Quadric& q) const;
+  Quadric GetSum(std::uint32_t h) const;
+  double GetCost(const Quadric& q, std::uint32_t h, const Vector& place) const;
+  static Vector Minimize(const Quadric& q, const Vector& middle);
 
   const vtkMTCollapseRegion& R;
   std::vector<Plane> Planes;     // [faces]
   std::vector<Quadric> Quadrics; // [vertices]
-  // CGAL asks for the place of an edge and then for its cost: the sum is made once for both.
-  mutable Quadric Sum;
-  mutable Region::Halfedge SumOf;
 };
 
 #endif
