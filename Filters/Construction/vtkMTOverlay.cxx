@@ -33,10 +33,12 @@ public:
   Tracer(vtkMTOverlay& overlay, std::uint32_t h)
     : Fragment(overlay.Fragment)
     , Crossings(overlay.Crossings)
+    , BeginPoint(overlay.Floor.GetPoint(h))
+    , EndPoint(overlay.Floor.GetPoint(vtkMTSurface::Next(h)))
     , Begin(overlay.Floor.GetPlace(h))
     , End(overlay.Floor.GetPlace(vtkMTSurface::Next(h)))
-    , From(overlay.Places[overlay.Floor.GetPoint(h)])
-    , To(overlay.Places[overlay.Floor.GetPoint(vtkMTSurface::Next(h))])
+    , From(overlay.Places[BeginPoint])
+    , To(overlay.Places[EndPoint])
   {
   }
 
@@ -102,11 +104,35 @@ private:
     {
       return false;
     }
-    const double clamped = std::max(along, 0.0);
-    const double distance = Norm(Subtract(Lerp(this->Begin, this->End, clamped), partner));
-    const bool atCorners = clamped == 0.0 && (share == 0.0 || share == 1.0);
-    this->Crossings.push_back({ h, atCorners ? distance : AboveZero(distance) });
+    if (along > 0.0)
+    {
+      this->CrossBetween(h, partner);
+    }
+    else
+    {
+      this->AddCrossing(h, share, this->BeginPoint, Norm(Subtract(this->Begin, partner)));
+    }
     return true;
+  }
+
+  // Projecting to and fro brings the partners nearer together.
+  void CrossBetween(std::uint32_t h, Vector partner)
+  {
+    const Vector& p = this->Fragment.GetPlace(h);
+    const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
+    double along = FindFoot(this->Begin, this->End, partner);
+    const double share = FindFoot(p, q, Lerp(this->Begin, this->End, along));
+    partner = share == 1.0 ? q : Lerp(p, q, share);
+    along = FindFoot(this->Begin, this->End, partner);
+    this->AddCrossing(h, share, None, Norm(Subtract(Lerp(this->Begin, this->End, along), partner)));
+  }
+
+  // Where on a segment, from 0 to 1, the point nearest to x is.
+  static double FindFoot(const Vector& p, const Vector& q, const Vector& x)
+  {
+    const Vector along = Subtract(q, p);
+    const double length2 = Dot(along, along);
+    return length2 > 0.0 ? std::clamp(Dot(Subtract(x, p), along) / length2, 0.0, 1.0) : 0.0;
   }
 
   // The edge, by its first corner, from right to left. Where the line misses the triangle it passes by its nearest
@@ -201,17 +227,25 @@ private:
   {
     const Vector& p = this->Fragment.GetPlace(h);
     const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
-    const Vector along = Subtract(q, p);
-    const double length2 = Dot(along, along);
-    const double share = length2 > 0.0 ? std::clamp(Dot(Subtract(this->To.At, p), along) / length2, 0.0, 1.0) : 0.0;
+    const double share = FindFoot(p, q, this->To.At);
     const Vector partner = share == 1.0 ? q : Lerp(p, q, share);
-    const double distance = Norm(Subtract(this->End, partner));
-    this->Crossings.push_back({ h, share == 0.0 || share == 1.0 ? distance : AboveZero(distance) });
+    this->AddCrossing(h, share, this->EndPoint, Norm(Subtract(this->End, partner)));
+  }
+
+  void AddCrossing(std::uint32_t h, double share, std::uint32_t floorPoint, double distance)
+  {
+    const std::uint32_t fragmentPoint = share == 0.0
+      ? this->Fragment.GetPoint(h)
+      : (share == 1.0 ? this->Fragment.GetPoint(vtkMTSurface::Next(h)) : None);
+    const bool atPoints = floorPoint != None && fragmentPoint != None;
+    this->Crossings.push_back({ h, { atPoints ? distance : AboveZero(distance), floorPoint, fragmentPoint } });
   }
 
   const vtkMTSurface& Fragment;
   std::vector<Crossing>& Crossings;
-  const Vector& Begin; // of the edge
+  const std::uint32_t BeginPoint; // of the edge
+  const std::uint32_t EndPoint;
+  const Vector& Begin;
   const Vector& End;
   const Place& From;
   const Place& To;
@@ -264,10 +298,24 @@ void vtkMTOverlay::FindCells()
   this->FirstCell[triangles] = static_cast<std::uint32_t>(this->Cells.size());
 }
 
+void vtkMTOverlay::Corners::Add(const Corners& other)
+{
+  this->Distance = std::max(this->Distance, other.Distance);
+  const auto merge = [](std::uint32_t mine, std::uint32_t others)
+  { return mine == others || others == Nothing ? mine : (mine == Nothing ? others : None); };
+  this->FloorPoint = merge(this->FloorPoint, other.FloorPoint);
+  this->FragmentPoint = merge(this->FragmentPoint, other.FragmentPoint);
+}
+
+void vtkMTOverlay::AddCell(std::uint32_t triangle, const Corners& corners)
+{
+  this->Cells.push_back({ triangle, corners.Distance, corners.FloorPoint == None, corners.FragmentPoint == None });
+}
+
 // Walks along the three traces. What is left of the loop are crossings that do not cancel.
 bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
 {
-  this->Here = 0.0;
+  this->Here = Corners();
   for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
     const std::uint32_t opposite = this->Floor.GetOpposite(h);
@@ -277,7 +325,9 @@ bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
     {
       return false;
     }
-    this->Here = std::max(this->Here, this->Places[this->Floor.GetPoint(h)].Distance);
+    const std::uint32_t point = this->Floor.GetPoint(h);
+    const Place& place = this->Places[point];
+    this->Here.Add({ place.Distance, point, place.Point });
     for (std::uint32_t i = 0; i < trace.Count; ++i)
     {
       if (isFirst)
@@ -287,33 +337,34 @@ bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
       else
       {
         const Crossing& back = this->Crossings[trace.First + trace.Count - 1 - i];
-        this->Cross({ this->Fragment.GetOpposite(back.Halfedge), back.Distance });
+        this->Cross({ this->Fragment.GetOpposite(back.Halfedge), back.Corner });
       }
     }
   }
   if (this->Loop.empty())
   {
-    this->Cells.push_back({ this->Places[this->Floor.GetPoint(3 * triangle)].Triangle, this->Here });
+    this->AddCell(this->Places[this->Floor.GetPoint(3 * triangle)].Triangle, this->Here);
   }
   else
   {
-    // The loop ends in the cell that it began with.
-    this->Loop[0].Cell = std::max(this->Loop[0].Cell, this->Here);
+    this->Loop[0].Cell.Add(this->Here); // the loop ends in the cell that it began with
   }
   return true;
 }
 
 void vtkMTOverlay::Cross(const Crossing& crossing)
 {
+  this->Here.Add(crossing.Corner);
   if (!this->Loop.empty() && crossing.Halfedge == this->Fragment.GetOpposite(this->Loop.back().Halfedge))
   {
-    this->Cells.push_back({ crossing.Halfedge / 3, std::max(this->Here, crossing.Distance) });
-    this->Here = std::max(this->Loop.back().Cell, crossing.Distance);
+    this->AddCell(crossing.Halfedge / 3, this->Here);
+    this->Here = this->Loop.back().Cell;
+    this->Here.Add(crossing.Corner);
     this->Loop.pop_back();
     return;
   }
-  this->Loop.push_back({ crossing.Halfedge, std::max(this->Here, crossing.Distance), crossing.Distance });
-  this->Here = crossing.Distance;
+  this->Loop.push_back({ crossing.Halfedge, this->Here, crossing.Corner });
+  this->Here = crossing.Corner;
 }
 
 // What is left of the loop runs, after a way out and the same way back, around points of the fragment. It is pulled
@@ -324,38 +375,65 @@ bool vtkMTOverlay::PullAcross(std::uint32_t triangle)
   std::size_t last = this->Loop.size() - 1;
   for (; first < last && this->Loop[last].Halfedge == this->Fragment.GetOpposite(this->Loop[first].Halfedge); --last)
   {
-    this->Cells.push_back(
-      { this->Loop[first].Halfedge / 3, std::max(this->Loop[first].Cell, this->Loop[last].Crossing) });
+    this->Loop[first].Cell.Add(this->Loop[last].Crossing);
+    this->AddCell(this->Loop[first].Halfedge / 3, this->Loop[first].Cell);
     ++first;
-    this->Loop[first].Cell = std::max(this->Loop[first].Cell, this->Loop[last].Cell);
+    this->Loop[first].Cell.Add(this->Loop[last].Cell);
   }
-  double distance = 0.0;
   this->Remainder.clear();
   for (std::size_t i = first; i <= last; ++i)
   {
     this->Remainder.push_back(this->Loop[i].Halfedge);
-    distance = std::max(distance, this->Loop[i].Cell);
   }
   // Where the fragment has turned the triangle over, the loop runs clockwise.
   if (!this->PullTogether() && !this->PullTogetherReversed())
   {
     return false;
   }
+  this->AddCellsAround(triangle, first, last);
+  return true;
+}
+
+// The cells around the points that the loop was pulled across.
+void vtkMTOverlay::AddCellsAround(std::uint32_t triangle, std::size_t first, std::size_t last)
+{
+  Corners inner;
   for (const std::uint32_t out : this->Enclosed)
   {
-    distance = std::max(distance, this->GetDistance(out, triangle));
+    inner.Add(this->MakeInnerCorner(out, triangle));
+    std::uint32_t h = out;
+    do
+    {
+      this->IsEnclosed[h] ^= 1;
+      h = this->Fragment.TurnLeft(h);
+    } while (h != out);
   }
+  const bool isOne = this->Enclosed.size() == 1;
+  Corners all = inner;
+  for (std::size_t i = first; i <= last; ++i)
+  {
+    Corners cell = this->Loop[i].Cell;
+    cell.Add(inner);
+    all.Add(cell);
+    if (isOne)
+    {
+      this->AddCell(this->Loop[i].Halfedge / 3, cell);
+    }
+  }
+  if (isOne)
+  {
+    return;
+  }
+  // Of several points it is not known which corners the cells around them have: each may have all.
   for (const std::uint32_t out : this->Enclosed)
   {
     std::uint32_t h = out;
     do
     {
-      this->IsEnclosed[h] ^= 1;
-      this->Cells.push_back({ h / 3, distance });
+      this->AddCell(h / 3, all);
       h = this->Fragment.TurnLeft(h);
     } while (h != out);
   }
-  return true;
 }
 
 bool vtkMTOverlay::PullTogether()
@@ -382,18 +460,20 @@ bool vtkMTOverlay::PullTogetherReversed()
   return this->PullTogether();
 }
 
-// Of a point of the fragment, given by a half-edge that starts from it, from a triangle of the floor.
-double vtkMTOverlay::GetDistance(std::uint32_t out, std::uint32_t triangle) const
+// A point of the fragment, given by a half-edge that starts from it, goes with the nearest place of a floor's triangle.
+vtkMTOverlay::Corners vtkMTOverlay::MakeInnerCorner(std::uint32_t out, std::uint32_t triangle) const
 {
   const Vector& x = this->Fragment.GetPlace(out);
-  for (int c = 0; c < 3; ++c)
+  const std::uint32_t point = this->Fragment.GetPoint(out);
+  for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
-    if (this->Floor.GetCorner(triangle, c) == x)
+    if (this->Floor.GetPlace(h) == x)
     {
-      return 0.0;
+      return { 0.0, this->Floor.GetPoint(h), point };
     }
   }
-  return AboveZero(std::sqrt(this->Floor.GetDistance2(x, triangle, std::numeric_limits<double>::infinity())));
+  const double distance2 = this->Floor.GetDistance2(x, triangle, std::numeric_limits<double>::infinity());
+  return { AboveZero(std::sqrt(distance2)), None, point };
 }
 
 // Number of triangles around the point that a half-edge starts from; 0 at a border.
