@@ -12,39 +12,33 @@ constexpr double LengthTerm = 1e-6;     // of the trace times the squared length
 constexpr double CurveWeight = 4.0;     // of the planes along borders and seams, times the squared length of their edge
 }
 
-void vtkMTQuadrics::Quadric::AddPlane(const std::array<double, 4>& g)
-{
-  this->A[0] += g[0] * g[0];
-  this->A[1] += g[0] * g[1];
-  this->A[2] += g[0] * g[2];
-  this->A[3] += g[1] * g[1];
-  this->A[4] += g[1] * g[2];
-  this->A[5] += g[2] * g[2];
-  this->B[0] += g[0] * g[3];
-  this->B[1] += g[1] * g[3];
-  this->B[2] += g[2] * g[3];
-  this->C += g[3] * g[3];
-}
-
 double vtkMTQuadrics::Quadric::Evaluate(const Vector& p) const
 {
   const double x = p[0];
   const double y = p[1];
   const double z = p[2];
-  return x * (this->A[0] * x + 2.0 * (this->A[1] * y + this->A[2] * z + this->B[0])) +
-    y * (this->A[3] * y + 2.0 * (this->A[4] * z + this->B[1])) + z * (this->A[5] * z + 2.0 * this->B[2]) + this->C;
+  return x * (this->V[0] * x + 2.0 * (this->V[1] * y + this->V[2] * z + this->V[6])) +
+    y * (this->V[3] * y + 2.0 * (this->V[4] * z + this->V[7])) + z * (this->V[5] * z + 2.0 * this->V[8]) + this->V[9];
+}
+
+// Squared distance to a plane times the squared length of its normal.
+vtkMTQuadrics::Quadric vtkMTQuadrics::MakePlaneQuadric(const Vector& n, const Vector& on)
+{
+  const double d = -Dot(n, on);
+  return { { n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2], n[0] * d, n[1] * d, n[2] * d,
+    d * d } };
 }
 
 void vtkMTQuadrics::Initialize()
 {
   const vtkMTCollapseMesh& m = this->R.Mesh;
-  this->Planes.resize(m.Faces.size());
+  this->FaceQuadrics.resize(m.Faces.size());
   this->Quadrics.resize(m.Outs.size());
   for (const std::uint32_t h : m.Faces)
   {
     if (h != vtkMTCollapseMesh::None)
     {
-      this->MakePlane(h);
+      this->MakeFaceQuadric(h);
     }
   }
   for (std::uint32_t v = 0; v < m.Outs.size(); ++v)
@@ -65,7 +59,7 @@ void vtkMTQuadrics::Update(std::uint32_t kept)
   {
     if (!m.IsBorder(h))
     {
-      this->MakePlane(h);
+      this->MakeFaceQuadric(h);
     }
     h = m.GetNextOut(h);
   } while (h != begin);
@@ -77,15 +71,15 @@ void vtkMTQuadrics::Update(std::uint32_t kept)
   } while (h != begin);
 }
 
-// Of the half-edge's face.
-void vtkMTQuadrics::MakePlane(std::uint32_t h)
+// Of the half-edge's face, weighted by its area.
+void vtkMTQuadrics::MakeFaceQuadric(std::uint32_t h)
 {
   const vtkMTCollapseMesh& m = this->R.Mesh;
   const Vector& p = m.GetPlace(m.GetTarget(h));
   const Vector n = Cross(Subtract(m.GetPlace(m.GetTarget(m.GetNext(h))), p), Subtract(m.GetPlace(m.GetSource(h)), p));
   const double length = Norm(n); // twice the area
-  const Vector g = Scale(n, length > 0.0 ? 1.0 / std::sqrt(2.0 * length) : 0.0);
-  this->Planes[m.GetFace(h)] = { g[0], g[1], g[2], -Dot(g, p) };
+  const double factor = length > 0.0 ? 1.0 / std::sqrt(2.0 * length) : 0.0;
+  this->FaceQuadrics[m.GetFace(h)] = MakePlaneQuadric(Scale(n, factor), p);
 }
 
 void vtkMTQuadrics::MakeQuadric(std::uint32_t v)
@@ -98,19 +92,19 @@ void vtkMTQuadrics::MakeQuadric(std::uint32_t v)
   {
     if (!m.IsBorder(h))
     {
-      q.AddPlane(this->Planes[m.GetFace(h)]);
+      q.Add(this->FaceQuadrics[m.GetFace(h)]);
     }
     h = m.GetNextOut(h);
   } while (h != begin);
   const unsigned char rank = this->R.GetState(v).Rank;
   if (rank == vtkMTCollapseRegion::Border || rank == vtkMTCollapseRegion::Seam)
   {
-    this->AddCurvePlanes(v, q);
+    this->AddCurveQuadrics(v, q);
   }
   this->Quadrics[v] = q;
 }
 
-void vtkMTQuadrics::AddCurvePlanes(std::uint32_t v, Quadric& q) const
+void vtkMTQuadrics::AddCurveQuadrics(std::uint32_t v, Quadric& q) const
 {
   const vtkMTCollapseMesh& m = this->R.Mesh;
   const Vector& p = m.GetPlace(v);
@@ -126,11 +120,10 @@ void vtkMTQuadrics::AddCurvePlanes(std::uint32_t v, Quadric& q) const
       {
         continue;
       }
-      const Plane& face = this->Planes[m.GetFace(side)];
-      const Vector n = Cross(d, { face[0], face[1], face[2] });
+      const Vector across = Subtract(m.GetPlace(m.GetTarget(m.GetNext(side))), p);
+      const Vector n = Cross(d, Cross(d, across)); // of the plane through the edge, at right angles to the face
       const double length = Norm(n);
-      const Vector g = Scale(n, length > 0.0 ? std::sqrt(CurveWeight * Dot(d, d)) / length : 0.0);
-      q.AddPlane({ g[0], g[1], g[2], -Dot(g, p) });
+      q.Add(MakePlaneQuadric(Scale(n, length > 0.0 ? std::sqrt(CurveWeight * Dot(d, d)) / length : 0.0), p));
     }
     h = m.GetNextOut(h);
   } while (h != begin);
@@ -139,16 +132,7 @@ void vtkMTQuadrics::AddCurvePlanes(std::uint32_t v, Quadric& q) const
 vtkMTQuadrics::Quadric vtkMTQuadrics::GetSum(std::uint32_t h) const
 {
   Quadric sum = this->Quadrics[this->R.Mesh.GetSource(h)];
-  const Quadric& other = this->Quadrics[this->R.Mesh.GetTarget(h)];
-  for (std::size_t i = 0; i < 6; ++i)
-  {
-    sum.A[i] += other.A[i];
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    sum.B[i] += other.B[i];
-  }
-  sum.C += other.C;
+  sum.Add(this->Quadrics[this->R.Mesh.GetTarget(h)]);
   return sum;
 }
 
@@ -181,12 +165,12 @@ vtkMTQuadrics::Proposal vtkMTQuadrics::Propose(std::uint32_t h, Rule rule) const
 vtkMTQuadrics::Vector vtkMTQuadrics::Minimize(const Quadric& q, const Vector& m)
 {
   const double r = Regularisation * q.GetTrace();
-  const double a = q.A[0] + r;
-  const double b = q.A[1];
-  const double c = q.A[2];
-  const double d = q.A[3] + r;
-  const double e = q.A[4];
-  const double f = q.A[5] + r;
+  const double a = q.V[0] + r;
+  const double b = q.V[1];
+  const double c = q.V[2];
+  const double d = q.V[3] + r;
+  const double e = q.V[4];
+  const double f = q.V[5] + r;
   const double c00 = d * f - e * e;
   const double c01 = c * e - b * f;
   const double c02 = b * e - c * d;
@@ -202,9 +186,9 @@ vtkMTQuadrics::Vector vtkMTQuadrics::Minimize(const Quadric& q, const Vector& m)
   Vector p = m;
   for (int i = 0; i < 2; ++i)
   {
-    const double x = -s * (q.A[0] * p[0] + b * p[1] + c * p[2] + q.B[0]);
-    const double y = -s * (b * p[0] + q.A[3] * p[1] + e * p[2] + q.B[1]);
-    const double z = -s * (c * p[0] + e * p[1] + q.A[5] * p[2] + q.B[2]);
+    const double x = -s * (q.V[0] * p[0] + b * p[1] + c * p[2] + q.V[6]);
+    const double y = -s * (b * p[0] + q.V[3] * p[1] + e * p[2] + q.V[7]);
+    const double z = -s * (c * p[0] + e * p[1] + q.V[5] * p[2] + q.V[8]);
     p = { p[0] + (c00 * x + c01 * y + c02 * z), p[1] + (c01 * x + c11 * y + c12 * z),
       p[2] + (c02 * x + c12 * y + c22 * z) };
   }

@@ -46,30 +46,33 @@ public:
   double GetCost(std::uint32_t h, const Vector& place) const;
 
 private:
-  // A symmetric matrix (xx xy xz yy yz zz), a vector and a number: x' A x + 2 b' x + c.
+  // x' A x + 2 b' x + c: the symmetric matrix A (xx xy xz yy yz zz), the vector b, the number c.
   struct Quadric
   {
-    std::array<double, 6> A{};
-    std::array<double, 3> B{};
-    double C = 0.0;
+    std::array<double, 10> V{};
 
-    void AddPlane(const std::array<double, 4>& g);
+    void Add(const Quadric& other)
+    {
+      for (std::size_t i = 0; i < 10; ++i)
+      {
+        this->V[i] += other.V[i];
+      }
+    }
     double Evaluate(const Vector& p) const;
-    double GetTrace() const { return this->A[0] + this->A[3] + this->A[5]; }
+    double GetTrace() const { return this->V[0] + this->V[3] + this->V[5]; }
   };
-  // A plane times the square root of its weight: its outer product is the quadric.
-  using Plane = std::array<double, 4>;
 
-  void MakePlane(std::uint32_t h);
+  static Quadric MakePlaneQuadric(const Vector& normal, const Vector& on);
+  void MakeFaceQuadric(std::uint32_t h);
   void MakeQuadric(std::uint32_t v);
-  void AddCurvePlanes(std::uint32_t v, Quadric& q) const;
+  void AddCurveQuadrics(std::uint32_t v, Quadric& q) const;
   Quadric GetSum(std::uint32_t h) const;
   double GetCost(const Quadric& q, std::uint32_t h, const Vector& place) const;
   static Vector Minimize(const Quadric& q, const Vector& middle);
 
   const vtkMTCollapseRegion& R;
-  std::vector<Plane> Planes;     // [faces]
-  std::vector<Quadric> Quadrics; // [vertices]
+  std::vector<Quadric> FaceQuadrics; // [faces]
+  std::vector<Quadric> Quadrics;     // [vertices]
 };
 
 #endif
