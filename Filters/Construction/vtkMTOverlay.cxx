@@ -53,6 +53,9 @@ public:
     {
       return true;
     }
+    const Vector own = Subtract(this->End, this->Begin);
+    const double ownLength2 = Dot(own, own);
+    this->InverseLength2 = ownLength2 > 0.0 ? 1.0 / ownLength2 : 0.0;
     this->Direction = Subtract(this->To.At, this->From.At);
     this->Length2 = Dot(this->Direction, this->Direction);
     const Vector up = Add(this->Fragment.GetNormal(here), this->Fragment.GetNormal(this->To.Triangle));
@@ -79,28 +82,26 @@ public:
   }
 
 private:
+  // How far to the left of the line a corner is.
+  double GetSide(std::uint32_t h) const { return Dot(Subtract(this->Fragment.GetPlace(h), this->From.At), this->Left); }
+
   // Crosses the edge over which the line leaves a triangle; false where the end comes first.
   bool Leave(std::uint32_t triangle, std::uint32_t entered)
   {
-    std::array<double, 3> side; // how far to the left of the line each corner is
-    for (int c = 0; c < 3; ++c)
-    {
-      side[c] = Dot(Subtract(this->Fragment.GetCorner(triangle, c), this->From.At), this->Left);
-    }
-    std::uint32_t h = 3 * triangle + (entered == None ? FindFirstExit(side) : FindExit(side, entered % 3));
+    std::uint32_t h = entered == None ? this->FindFirstExit(triangle) : this->FindExit(entered);
     if (this->Fragment.GetOpposite(h) == None)
     {
       h = this->FindDetour(h, entered);
     }
-    const double right = side[h % 3];
-    const double left = side[vtkMTSurface::Next(h) % 3];
+    const double right = this->GetSide(h);
+    const double left = this->GetSide(vtkMTSurface::Next(h));
     const double width = left - right;
     const double share = width > 0.0 ? std::clamp(-right / width, 0.0, 1.0) : (-right < left ? 0.0 : 1.0);
     const Vector& p = this->Fragment.GetPlace(h);
     const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
     const Vector partner = share == 1.0 ? q : Lerp(p, q, share);
-    const double along = Dot(Subtract(partner, this->From.At), this->Direction) / this->Length2;
-    if (along >= Arrival)
+    const double along = Dot(Subtract(partner, this->From.At), this->Direction);
+    if (along >= Arrival * this->Length2)
     {
       return false;
     }
@@ -120,11 +121,17 @@ private:
   {
     const Vector& p = this->Fragment.GetPlace(h);
     const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
-    double along = FindFoot(this->Begin, this->End, partner);
-    const double share = FindFoot(p, q, Lerp(this->Begin, this->End, along));
+    const double share = FindFoot(p, q, this->FindOwn(partner));
     partner = share == 1.0 ? q : Lerp(p, q, share);
-    along = FindFoot(this->Begin, this->End, partner);
-    this->AddCrossing(h, share, None, Norm(Subtract(Lerp(this->Begin, this->End, along), partner)));
+    this->AddCrossing(h, share, None, Norm(Subtract(this->FindOwn(partner), partner)));
+  }
+
+  // The nearest place of the floor's edge.
+  Vector FindOwn(const Vector& x) const
+  {
+    const Vector along = Subtract(this->End, this->Begin);
+    const double share = Dot(Subtract(x, this->Begin), along) * this->InverseLength2;
+    return Lerp(this->Begin, this->End, std::clamp(share, 0.0, 1.0));
   }
 
   // Where on a segment, from 0 to 1, the point nearest to x is.
@@ -135,10 +142,11 @@ private:
     return length2 > 0.0 ? std::clamp(Dot(Subtract(x, p), along) / length2, 0.0, 1.0) : 0.0;
   }
 
-  // The edge, by its first corner, from right to left. Where the line misses the triangle it passes by its nearest
-  // corner.
-  static int FindFirstExit(const std::array<double, 3>& side)
+  // The half-edge from right to left. Where the line misses the triangle it passes by its nearest corner.
+  std::uint32_t FindFirstExit(std::uint32_t triangle) const
   {
+    const std::uint32_t first = 3 * triangle;
+    const std::array<double, 3> side{ this->GetSide(first), this->GetSide(first + 1), this->GetSide(first + 2) };
     std::array<bool, 3> isLeft{ side[0] > 0.0, side[1] > 0.0, side[2] > 0.0 };
     if (isLeft[0] == isLeft[1] && isLeft[1] == isLeft[2])
     {
@@ -146,21 +154,14 @@ private:
       nearest = std::abs(side[2]) < std::abs(side[nearest]) ? 2 : nearest;
       isLeft[nearest] = !isLeft[nearest];
     }
-    for (int e = 0; e < 2; ++e)
-    {
-      if (!isLeft[e] && isLeft[e + 1])
-      {
-        return e;
-      }
-    }
-    return 2;
+    return !isLeft[0] && isLeft[1] ? first : (!isLeft[1] && isLeft[2] ? first + 1 : first + 2);
   }
 
-  // Of a triangle that was entered with its corner `entered` to the left of the line and the next one to the right.
-  static int FindExit(const std::array<double, 3>& side, int entered)
+  // Of a triangle that was entered across a half-edge from left to right.
+  std::uint32_t FindExit(std::uint32_t entered) const
   {
-    const int third = (entered + 2) % 3;
-    return side[third] > 0.0 ? (entered + 1) % 3 : third;
+    const std::uint32_t third = vtkMTSurface::Previous(entered);
+    return this->GetSide(third) > 0.0 ? vtkMTSurface::Next(entered) : third;
   }
 
   // The line would leave the fragment: the edge over which to go around that end of the border edge which lies ahead.
@@ -252,6 +253,7 @@ private:
   Vector Direction; // from place to place
   Vector Left;      // perpendicular to it, about in the fragment's surface
   double Length2 = 0.0;
+  double InverseLength2 = 0.0; // of the edge itself
 };
 
 vtkMTOverlay::vtkMTOverlay(const vtkMTSurface& floor, const vtkMTSurface& fragment, const std::vector<Place>& places)
@@ -298,13 +300,10 @@ void vtkMTOverlay::FindCells()
   this->FirstCell[triangles] = static_cast<std::uint32_t>(this->Cells.size());
 }
 
-void vtkMTOverlay::Corners::Add(const Corners& other)
+vtkMTOverlay::Corners vtkMTOverlay::Merge(const Corners& a, const Corners& b)
 {
-  this->Distance = std::max(this->Distance, other.Distance);
-  const auto merge = [](std::uint32_t mine, std::uint32_t others)
-  { return mine == others || others == Nothing ? mine : (mine == Nothing ? others : None); };
-  this->FloorPoint = merge(this->FloorPoint, other.FloorPoint);
-  this->FragmentPoint = merge(this->FragmentPoint, other.FragmentPoint);
+  return { std::max(a.Distance, b.Distance), a.FloorPoint == b.FloorPoint ? a.FloorPoint : None,
+    a.FragmentPoint == b.FragmentPoint ? a.FragmentPoint : None };
 }
 
 void vtkMTOverlay::AddCell(std::uint32_t triangle, const Corners& corners)
@@ -312,10 +311,15 @@ void vtkMTOverlay::AddCell(std::uint32_t triangle, const Corners& corners)
   this->Cells.push_back({ triangle, corners.Distance, corners.FloorPoint == None, corners.FragmentPoint == None });
 }
 
+vtkMTOverlay::Corners vtkMTOverlay::MakeCorner(std::uint32_t floorPoint) const
+{
+  return { this->Places[floorPoint].Distance, floorPoint, this->Places[floorPoint].Point };
+}
+
 // Walks along the three traces. What is left of the loop are crossings that do not cancel.
 bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
 {
-  this->Here = Corners();
+  this->Here = this->MakeCorner(this->Floor.GetPoint(3 * triangle));
   for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
     const std::uint32_t opposite = this->Floor.GetOpposite(h);
@@ -325,19 +329,18 @@ bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
     {
       return false;
     }
-    const std::uint32_t point = this->Floor.GetPoint(h);
-    const Place& place = this->Places[point];
-    this->Here.Add({ place.Distance, point, place.Point });
+    this->Here = Merge(this->Here, this->MakeCorner(this->Floor.GetPoint(h)));
     for (std::uint32_t i = 0; i < trace.Count; ++i)
     {
       if (isFirst)
       {
-        this->Cross(this->Crossings[trace.First + i]);
+        const Crossing& crossing = this->Crossings[trace.First + i];
+        this->Cross(crossing.Halfedge, crossing.Corner);
       }
       else
       {
         const Crossing& back = this->Crossings[trace.First + trace.Count - 1 - i];
-        this->Cross({ this->Fragment.GetOpposite(back.Halfedge), back.Corner });
+        this->Cross(this->Fragment.GetOpposite(back.Halfedge), back.Corner);
       }
     }
   }
@@ -347,24 +350,23 @@ bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
   }
   else
   {
-    this->Loop[0].Cell.Add(this->Here); // the loop ends in the cell that it began with
+    this->Loop[0].Cell = Merge(this->Loop[0].Cell, this->Here); // the loop ends in the cell that it began with
   }
   return true;
 }
 
-void vtkMTOverlay::Cross(const Crossing& crossing)
+void vtkMTOverlay::Cross(std::uint32_t h, const Corners& corner)
 {
-  this->Here.Add(crossing.Corner);
-  if (!this->Loop.empty() && crossing.Halfedge == this->Fragment.GetOpposite(this->Loop.back().Halfedge))
+  const Corners here = Merge(this->Here, corner);
+  if (!this->Loop.empty() && h == this->Fragment.GetOpposite(this->Loop.back().Halfedge))
   {
-    this->AddCell(crossing.Halfedge / 3, this->Here);
-    this->Here = this->Loop.back().Cell;
-    this->Here.Add(crossing.Corner);
+    this->AddCell(h / 3, here);
+    this->Here = Merge(this->Loop.back().Cell, corner);
     this->Loop.pop_back();
     return;
   }
-  this->Loop.push_back({ crossing.Halfedge, this->Here, crossing.Corner });
-  this->Here = crossing.Corner;
+  this->Loop.push_back({ h, here, corner });
+  this->Here = corner;
 }
 
 // What is left of the loop runs, after a way out and the same way back, around points of the fragment. It is pulled
@@ -375,10 +377,9 @@ bool vtkMTOverlay::PullAcross(std::uint32_t triangle)
   std::size_t last = this->Loop.size() - 1;
   for (; first < last && this->Loop[last].Halfedge == this->Fragment.GetOpposite(this->Loop[first].Halfedge); --last)
   {
-    this->Loop[first].Cell.Add(this->Loop[last].Crossing);
-    this->AddCell(this->Loop[first].Halfedge / 3, this->Loop[first].Cell);
+    this->AddCell(this->Loop[first].Halfedge / 3, Merge(this->Loop[first].Cell, this->Loop[last].Crossing));
     ++first;
-    this->Loop[first].Cell.Add(this->Loop[last].Cell);
+    this->Loop[first].Cell = Merge(this->Loop[first].Cell, this->Loop[last].Cell);
   }
   this->Remainder.clear();
   for (std::size_t i = first; i <= last; ++i)
@@ -397,10 +398,10 @@ bool vtkMTOverlay::PullAcross(std::uint32_t triangle)
 // The cells around the points that the loop was pulled across.
 void vtkMTOverlay::AddCellsAround(std::uint32_t triangle, std::size_t first, std::size_t last)
 {
-  Corners inner;
+  Corners inner = this->MakeInnerCorner(this->Enclosed[0], triangle);
   for (const std::uint32_t out : this->Enclosed)
   {
-    inner.Add(this->MakeInnerCorner(out, triangle));
+    inner = Merge(inner, this->MakeInnerCorner(out, triangle));
     std::uint32_t h = out;
     do
     {
@@ -412,9 +413,8 @@ void vtkMTOverlay::AddCellsAround(std::uint32_t triangle, std::size_t first, std
   Corners all = inner;
   for (std::size_t i = first; i <= last; ++i)
   {
-    Corners cell = this->Loop[i].Cell;
-    cell.Add(inner);
-    all.Add(cell);
+    const Corners cell = Merge(this->Loop[i].Cell, inner);
+    all = Merge(all, cell);
     if (isOne)
     {
       this->AddCell(this->Loop[i].Halfedge / 3, cell);

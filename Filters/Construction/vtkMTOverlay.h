@@ -70,12 +70,9 @@ private:
   // One corner or several: their largest distance, and the one point of either mesh that all of them are, if so.
   struct Corners
   {
-    static constexpr std::uint32_t Nothing = None - 1;
     double Distance = 0.0;
-    std::uint32_t FloorPoint = Nothing;
-    std::uint32_t FragmentPoint = Nothing;
-
-    void Add(const Corners& other);
+    std::uint32_t FloorPoint = None;
+    std::uint32_t FragmentPoint = None;
   };
   // An edge of the fragment is left across a half-edge.
   struct Crossing
@@ -102,7 +99,7 @@ private:
   void TraceEdges();
   void FindCells();
   bool CollectLoop(std::uint32_t triangle);
-  void Cross(const Crossing& crossing);
+  void Cross(std::uint32_t h, const Corners& corner);
   bool PullAcross(std::uint32_t triangle);
   void AddCell(std::uint32_t triangle, const Corners& corners);
   void AddCellsAround(std::uint32_t triangle, std::size_t first, std::size_t last);
@@ -111,6 +108,8 @@ private:
   bool PullAcrossPoint();
   void ReplaceRun(std::size_t begin, std::size_t run, std::size_t others);
   std::size_t CountAround(std::uint32_t out) const;
+  static Corners Merge(const Corners& a, const Corners& b);
+  Corners MakeCorner(std::uint32_t floorPoint) const;
   Corners MakeInnerCorner(std::uint32_t out, std::uint32_t triangle) const;
   bool Closes(std::uint32_t triangle) const { return this->FirstCell[triangle] < this->FirstCell[triangle + 1]; }
   bool IsKeptBorder(std::uint32_t h, const Trace& trace) const;
