@@ -185,10 +185,16 @@ private:
     {
       vtkMTOverlay::Cell& cell = overlay.Cells[c];
       cell.Distance = cell.Distance > 0.0 ? this->Down.Raise(cell.Distance, t, cell.Triangle) : 0.0;
-      bound = std::max(bound, this->Down.Before[t] + cell.Distance);
-      double& back = this->BoundByCells[cell.Triangle];
-      back = std::max(back, this->Up.After[t] + cell.Distance);
-      this->FloorTriangle[cell.Triangle] = t;
+      if (cell.CoversFloor)
+      {
+        bound = std::max(bound, this->Down.Before[t] + cell.Distance);
+      }
+      if (cell.CoversFragment)
+      {
+        double& back = this->BoundByCells[cell.Triangle];
+        back = std::max(back, this->Up.After[t] + cell.Distance);
+        this->FloorTriangle[cell.Triangle] = t;
+      }
     }
     return bound;
   }
@@ -198,7 +204,10 @@ private:
     for (std::uint32_t c = overlay.FirstCell[t]; c < overlay.FirstCell[t + 1]; ++c)
     {
       const vtkMTOverlay::Cell& cell = overlay.Cells[c];
-      this->Down.Credit(t, cell.Triangle, this->Down.Before[t] + cell.Distance);
+      if (cell.CoversFloor)
+      {
+        this->Down.Credit(t, cell.Triangle, this->Down.Before[t] + cell.Distance);
+      }
     }
   }
 
@@ -212,7 +221,8 @@ private:
     std::vector<Doubtful> doubtful;
     for (std::uint32_t s = 0; s < this->Fragment.GetNumberOfTriangles(); ++s)
     {
-      const double bound = isCovered[s] ? this->BoundByCells[s] : std::numeric_limits<double>::infinity();
+      const bool isBound = isCovered[s] && this->FloorTriangle[s] != None;
+      const double bound = isBound ? this->BoundByCells[s] : std::numeric_limits<double>::infinity();
       if (this->IsAcceptable(bound))
       {
         this->Up.Credit(s, this->FloorTriangle[s], bound);

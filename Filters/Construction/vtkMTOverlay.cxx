@@ -33,10 +33,12 @@ public:
   Tracer(vtkMTOverlay& overlay, std::uint32_t h)
     : Fragment(overlay.Fragment)
     , Crossings(overlay.Crossings)
+    , BeginPoint(overlay.Floor.GetPoint(h))
+    , EndPoint(overlay.Floor.GetPoint(vtkMTSurface::Next(h)))
     , Begin(overlay.Floor.GetPlace(h))
     , End(overlay.Floor.GetPlace(vtkMTSurface::Next(h)))
-    , From(overlay.Places[overlay.Floor.GetPoint(h)])
-    , To(overlay.Places[overlay.Floor.GetPoint(vtkMTSurface::Next(h))])
+    , From(overlay.Places[BeginPoint])
+    , To(overlay.Places[EndPoint])
   {
   }
 
@@ -51,6 +53,9 @@ public:
     {
       return true;
     }
+    const Vector own = Subtract(this->End, this->Begin);
+    const double ownLength2 = Dot(own, own);
+    this->InverseLength2 = ownLength2 > 0.0 ? 1.0 / ownLength2 : 0.0;
     this->Direction = Subtract(this->To.At, this->From.At);
     this->Length2 = Dot(this->Direction, this->Direction);
     const Vector up = Add(this->Fragment.GetNormal(here), this->Fragment.GetNormal(this->To.Triangle));
@@ -77,42 +82,71 @@ public:
   }
 
 private:
+  // How far to the left of the line a corner is.
+  double GetSide(std::uint32_t h) const { return Dot(Subtract(this->Fragment.GetPlace(h), this->From.At), this->Left); }
+
   // Crosses the edge over which the line leaves a triangle; false where the end comes first.
   bool Leave(std::uint32_t triangle, std::uint32_t entered)
   {
-    std::array<double, 3> side; // how far to the left of the line each corner is
-    for (int c = 0; c < 3; ++c)
-    {
-      side[c] = Dot(Subtract(this->Fragment.GetCorner(triangle, c), this->From.At), this->Left);
-    }
-    std::uint32_t h = 3 * triangle + (entered == None ? FindFirstExit(side) : FindExit(side, entered % 3));
+    std::uint32_t h = entered == None ? this->FindFirstExit(triangle) : this->FindExit(entered);
     if (this->Fragment.GetOpposite(h) == None)
     {
       h = this->FindDetour(h, entered);
     }
-    const double right = side[h % 3];
-    const double left = side[vtkMTSurface::Next(h) % 3];
+    const double right = this->GetSide(h);
+    const double left = this->GetSide(vtkMTSurface::Next(h));
     const double width = left - right;
     const double share = width > 0.0 ? std::clamp(-right / width, 0.0, 1.0) : (-right < left ? 0.0 : 1.0);
     const Vector& p = this->Fragment.GetPlace(h);
     const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
     const Vector partner = share == 1.0 ? q : Lerp(p, q, share);
-    const double along = Dot(Subtract(partner, this->From.At), this->Direction) / this->Length2;
-    if (along >= Arrival)
+    const double along = Dot(Subtract(partner, this->From.At), this->Direction);
+    if (along >= Arrival * this->Length2)
     {
       return false;
     }
-    const double clamped = std::max(along, 0.0);
-    const double distance = Norm(Subtract(Lerp(this->Begin, this->End, clamped), partner));
-    const bool atCorners = clamped == 0.0 && (share == 0.0 || share == 1.0);
-    this->Crossings.push_back({ h, atCorners ? distance : AboveZero(distance) });
+    if (along > 0.0)
+    {
+      this->CrossBetween(h, partner);
+    }
+    else
+    {
+      this->AddCrossing(h, share, this->BeginPoint, Norm(Subtract(this->Begin, partner)));
+    }
     return true;
   }
 
-  // The edge, by its first corner, from right to left. Where the line misses the triangle it passes by its nearest
-  // corner.
-  static int FindFirstExit(const std::array<double, 3>& side)
+  // Projecting to and fro brings the partners nearer together.
+  void CrossBetween(std::uint32_t h, Vector partner)
   {
+    const Vector& p = this->Fragment.GetPlace(h);
+    const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
+    const double share = FindFoot(p, q, this->FindOwn(partner));
+    partner = share == 1.0 ? q : Lerp(p, q, share);
+    this->AddCrossing(h, share, None, Norm(Subtract(this->FindOwn(partner), partner)));
+  }
+
+  // The nearest place of the floor's edge.
+  Vector FindOwn(const Vector& x) const
+  {
+    const Vector along = Subtract(this->End, this->Begin);
+    const double share = Dot(Subtract(x, this->Begin), along) * this->InverseLength2;
+    return Lerp(this->Begin, this->End, std::clamp(share, 0.0, 1.0));
+  }
+
+  // Where on a segment, from 0 to 1, the point nearest to x is.
+  static double FindFoot(const Vector& p, const Vector& q, const Vector& x)
+  {
+    const Vector along = Subtract(q, p);
+    const double length2 = Dot(along, along);
+    return length2 > 0.0 ? std::clamp(Dot(Subtract(x, p), along) / length2, 0.0, 1.0) : 0.0;
+  }
+
+  // The half-edge from right to left. Where the line misses the triangle it passes by its nearest corner.
+  std::uint32_t FindFirstExit(std::uint32_t triangle) const
+  {
+    const std::uint32_t first = 3 * triangle;
+    const std::array<double, 3> side{ this->GetSide(first), this->GetSide(first + 1), this->GetSide(first + 2) };
     std::array<bool, 3> isLeft{ side[0] > 0.0, side[1] > 0.0, side[2] > 0.0 };
     if (isLeft[0] == isLeft[1] && isLeft[1] == isLeft[2])
     {
@@ -120,21 +154,14 @@ private:
       nearest = std::abs(side[2]) < std::abs(side[nearest]) ? 2 : nearest;
       isLeft[nearest] = !isLeft[nearest];
     }
-    for (int e = 0; e < 2; ++e)
-    {
-      if (!isLeft[e] && isLeft[e + 1])
-      {
-        return e;
-      }
-    }
-    return 2;
+    return !isLeft[0] && isLeft[1] ? first : (!isLeft[1] && isLeft[2] ? first + 1 : first + 2);
   }
 
-  // Of a triangle that was entered with its corner `entered` to the left of the line and the next one to the right.
-  static int FindExit(const std::array<double, 3>& side, int entered)
+  // Of a triangle that was entered across a half-edge from left to right.
+  std::uint32_t FindExit(std::uint32_t entered) const
   {
-    const int third = (entered + 2) % 3;
-    return side[third] > 0.0 ? (entered + 1) % 3 : third;
+    const std::uint32_t third = vtkMTSurface::Previous(entered);
+    return this->GetSide(third) > 0.0 ? vtkMTSurface::Next(entered) : third;
   }
 
   // The line would leave the fragment: the edge over which to go around that end of the border edge which lies ahead.
@@ -201,23 +228,32 @@ private:
   {
     const Vector& p = this->Fragment.GetPlace(h);
     const Vector& q = this->Fragment.GetPlace(vtkMTSurface::Next(h));
-    const Vector along = Subtract(q, p);
-    const double length2 = Dot(along, along);
-    const double share = length2 > 0.0 ? std::clamp(Dot(Subtract(this->To.At, p), along) / length2, 0.0, 1.0) : 0.0;
+    const double share = FindFoot(p, q, this->To.At);
     const Vector partner = share == 1.0 ? q : Lerp(p, q, share);
-    const double distance = Norm(Subtract(this->End, partner));
-    this->Crossings.push_back({ h, share == 0.0 || share == 1.0 ? distance : AboveZero(distance) });
+    this->AddCrossing(h, share, this->EndPoint, Norm(Subtract(this->End, partner)));
+  }
+
+  void AddCrossing(std::uint32_t h, double share, std::uint32_t floorPoint, double distance)
+  {
+    const std::uint32_t fragmentPoint = share == 0.0
+      ? this->Fragment.GetPoint(h)
+      : (share == 1.0 ? this->Fragment.GetPoint(vtkMTSurface::Next(h)) : None);
+    const bool atPoints = floorPoint != None && fragmentPoint != None;
+    this->Crossings.push_back({ h, { atPoints ? distance : AboveZero(distance), floorPoint, fragmentPoint } });
   }
 
   const vtkMTSurface& Fragment;
   std::vector<Crossing>& Crossings;
-  const Vector& Begin; // of the edge
+  const std::uint32_t BeginPoint; // of the edge
+  const std::uint32_t EndPoint;
+  const Vector& Begin;
   const Vector& End;
   const Place& From;
   const Place& To;
   Vector Direction; // from place to place
   Vector Left;      // perpendicular to it, about in the fragment's surface
   double Length2 = 0.0;
+  double InverseLength2 = 0.0; // of the edge itself
 };
 
 vtkMTOverlay::vtkMTOverlay(const vtkMTSurface& floor, const vtkMTSurface& fragment, const std::vector<Place>& places)
@@ -264,10 +300,26 @@ void vtkMTOverlay::FindCells()
   this->FirstCell[triangles] = static_cast<std::uint32_t>(this->Cells.size());
 }
 
+vtkMTOverlay::Corners vtkMTOverlay::Merge(const Corners& a, const Corners& b)
+{
+  return { std::max(a.Distance, b.Distance), a.FloorPoint == b.FloorPoint ? a.FloorPoint : None,
+    a.FragmentPoint == b.FragmentPoint ? a.FragmentPoint : None };
+}
+
+void vtkMTOverlay::AddCell(std::uint32_t triangle, const Corners& corners)
+{
+  this->Cells.push_back({ triangle, corners.Distance, corners.FloorPoint == None, corners.FragmentPoint == None });
+}
+
+vtkMTOverlay::Corners vtkMTOverlay::MakeCorner(std::uint32_t floorPoint) const
+{
+  return { this->Places[floorPoint].Distance, floorPoint, this->Places[floorPoint].Point };
+}
+
 // Walks along the three traces. What is left of the loop are crossings that do not cancel.
 bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
 {
-  this->Here = 0.0;
+  this->Here = this->MakeCorner(this->Floor.GetPoint(3 * triangle));
   for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
     const std::uint32_t opposite = this->Floor.GetOpposite(h);
@@ -277,43 +329,44 @@ bool vtkMTOverlay::CollectLoop(std::uint32_t triangle)
     {
       return false;
     }
-    this->Here = std::max(this->Here, this->Places[this->Floor.GetPoint(h)].Distance);
+    this->Here = Merge(this->Here, this->MakeCorner(this->Floor.GetPoint(h)));
     for (std::uint32_t i = 0; i < trace.Count; ++i)
     {
       if (isFirst)
       {
-        this->Cross(this->Crossings[trace.First + i]);
+        const Crossing& crossing = this->Crossings[trace.First + i];
+        this->Cross(crossing.Halfedge, crossing.Corner);
       }
       else
       {
         const Crossing& back = this->Crossings[trace.First + trace.Count - 1 - i];
-        this->Cross({ this->Fragment.GetOpposite(back.Halfedge), back.Distance });
+        this->Cross(this->Fragment.GetOpposite(back.Halfedge), back.Corner);
       }
     }
   }
   if (this->Loop.empty())
   {
-    this->Cells.push_back({ this->Places[this->Floor.GetPoint(3 * triangle)].Triangle, this->Here });
+    this->AddCell(this->Places[this->Floor.GetPoint(3 * triangle)].Triangle, this->Here);
   }
   else
   {
-    // The loop ends in the cell that it began with.
-    this->Loop[0].Cell = std::max(this->Loop[0].Cell, this->Here);
+    this->Loop[0].Cell = Merge(this->Loop[0].Cell, this->Here); // the loop ends in the cell that it began with
   }
   return true;
 }
 
-void vtkMTOverlay::Cross(const Crossing& crossing)
+void vtkMTOverlay::Cross(std::uint32_t h, const Corners& corner)
 {
-  if (!this->Loop.empty() && crossing.Halfedge == this->Fragment.GetOpposite(this->Loop.back().Halfedge))
+  const Corners here = Merge(this->Here, corner);
+  if (!this->Loop.empty() && h == this->Fragment.GetOpposite(this->Loop.back().Halfedge))
   {
-    this->Cells.push_back({ crossing.Halfedge / 3, std::max(this->Here, crossing.Distance) });
-    this->Here = std::max(this->Loop.back().Cell, crossing.Distance);
+    this->AddCell(h / 3, here);
+    this->Here = Merge(this->Loop.back().Cell, corner);
     this->Loop.pop_back();
     return;
   }
-  this->Loop.push_back({ crossing.Halfedge, std::max(this->Here, crossing.Distance), crossing.Distance });
-  this->Here = crossing.Distance;
+  this->Loop.push_back({ h, here, corner });
+  this->Here = corner;
 }
 
 // What is left of the loop runs, after a way out and the same way back, around points of the fragment. It is pulled
@@ -324,38 +377,63 @@ bool vtkMTOverlay::PullAcross(std::uint32_t triangle)
   std::size_t last = this->Loop.size() - 1;
   for (; first < last && this->Loop[last].Halfedge == this->Fragment.GetOpposite(this->Loop[first].Halfedge); --last)
   {
-    this->Cells.push_back(
-      { this->Loop[first].Halfedge / 3, std::max(this->Loop[first].Cell, this->Loop[last].Crossing) });
+    this->AddCell(this->Loop[first].Halfedge / 3, Merge(this->Loop[first].Cell, this->Loop[last].Crossing));
     ++first;
-    this->Loop[first].Cell = std::max(this->Loop[first].Cell, this->Loop[last].Cell);
+    this->Loop[first].Cell = Merge(this->Loop[first].Cell, this->Loop[last].Cell);
   }
-  double distance = 0.0;
   this->Remainder.clear();
   for (std::size_t i = first; i <= last; ++i)
   {
     this->Remainder.push_back(this->Loop[i].Halfedge);
-    distance = std::max(distance, this->Loop[i].Cell);
   }
   // Where the fragment has turned the triangle over, the loop runs clockwise.
   if (!this->PullTogether() && !this->PullTogetherReversed())
   {
     return false;
   }
+  this->AddCellsAround(triangle, first, last);
+  return true;
+}
+
+// The cells around the points that the loop was pulled across.
+void vtkMTOverlay::AddCellsAround(std::uint32_t triangle, std::size_t first, std::size_t last)
+{
+  Corners inner = this->MakeInnerCorner(this->Enclosed[0], triangle);
   for (const std::uint32_t out : this->Enclosed)
   {
-    distance = std::max(distance, this->GetDistance(out, triangle));
+    inner = Merge(inner, this->MakeInnerCorner(out, triangle));
+    std::uint32_t h = out;
+    do
+    {
+      this->IsEnclosed[h] ^= 1;
+      h = this->Fragment.TurnLeft(h);
+    } while (h != out);
   }
+  const bool isOne = this->Enclosed.size() == 1;
+  Corners all = inner;
+  for (std::size_t i = first; i <= last; ++i)
+  {
+    const Corners cell = Merge(this->Loop[i].Cell, inner);
+    all = Merge(all, cell);
+    if (isOne)
+    {
+      this->AddCell(this->Loop[i].Halfedge / 3, cell);
+    }
+  }
+  if (isOne)
+  {
+    return;
+  }
+  // Of several points it is not known which corners the cells around them have: each may have all.
   for (const std::uint32_t out : this->Enclosed)
   {
     std::uint32_t h = out;
     do
     {
-      this->IsEnclosed[h] ^= 1;
-      this->Cells.push_back({ h / 3, distance });
+      this->AddCell(h / 3, all);
       h = this->Fragment.TurnLeft(h);
     } while (h != out);
   }
-  return true;
 }
 
 bool vtkMTOverlay::PullTogether()
@@ -382,18 +460,20 @@ bool vtkMTOverlay::PullTogetherReversed()
   return this->PullTogether();
 }
 
-// Of a point of the fragment, given by a half-edge that starts from it, from a triangle of the floor.
-double vtkMTOverlay::GetDistance(std::uint32_t out, std::uint32_t triangle) const
+// A point of the fragment, given by a half-edge that starts from it, goes with the nearest place of a floor's triangle.
+vtkMTOverlay::Corners vtkMTOverlay::MakeInnerCorner(std::uint32_t out, std::uint32_t triangle) const
 {
   const Vector& x = this->Fragment.GetPlace(out);
-  for (int c = 0; c < 3; ++c)
+  const std::uint32_t point = this->Fragment.GetPoint(out);
+  for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
   {
-    if (this->Floor.GetCorner(triangle, c) == x)
+    if (this->Floor.GetPlace(h) == x)
     {
-      return 0.0;
+      return { 0.0, this->Floor.GetPoint(h), point };
     }
   }
-  return AboveZero(std::sqrt(this->Floor.GetDistance2(x, triangle, std::numeric_limits<double>::infinity())));
+  const double distance2 = this->Floor.GetDistance2(x, triangle, std::numeric_limits<double>::infinity());
+  return { AboveZero(std::sqrt(distance2)), None, point };
 }
 
 // Number of triangles around the point that a half-edge starts from; 0 at a border.

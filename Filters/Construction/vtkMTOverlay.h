@@ -46,11 +46,14 @@ public:
   };
 
   /// The part of a floor's triangle that goes with one triangle of the fragment, and their largest distance. It is zero
-  /// only where they meet in corners of both.
+  /// only where they meet in corners of both. On either side the cell may be but a single point, which other cells
+  /// cover as well: it then says nothing of that side.
   struct Cell
   {
     std::uint32_t Triangle;
     double Distance;
+    bool CoversFloor;
+    bool CoversFragment;
   };
 
   /// places: per point of the floor.
@@ -64,11 +67,18 @@ public:
   std::vector<unsigned char> FindCovered() const;
 
 private:
+  // One corner or several: their largest distance, and the one point of either mesh that all of them are, if so.
+  struct Corners
+  {
+    double Distance = 0.0;
+    std::uint32_t FloorPoint = None;
+    std::uint32_t FragmentPoint = None;
+  };
   // An edge of the fragment is left across a half-edge.
   struct Crossing
   {
     std::uint32_t Halfedge;
-    double Distance;
+    Corners Corner;
   };
   struct Trace
   {
@@ -82,21 +92,25 @@ private:
   struct Step
   {
     std::uint32_t Halfedge;
-    double Cell; // largest distance of the cell's corners so far
-    double Crossing;
+    Corners Cell; // so far
+    Corners Crossing;
   };
 
   void TraceEdges();
   void FindCells();
   bool CollectLoop(std::uint32_t triangle);
-  void Cross(const Crossing& crossing);
+  void Cross(std::uint32_t h, const Corners& corner);
   bool PullAcross(std::uint32_t triangle);
+  void AddCell(std::uint32_t triangle, const Corners& corners);
+  void AddCellsAround(std::uint32_t triangle, std::size_t first, std::size_t last);
   bool PullTogether();
   bool PullTogetherReversed();
   bool PullAcrossPoint();
   void ReplaceRun(std::size_t begin, std::size_t run, std::size_t others);
   std::size_t CountAround(std::uint32_t out) const;
-  double GetDistance(std::uint32_t out, std::uint32_t triangle) const;
+  static Corners Merge(const Corners& a, const Corners& b);
+  Corners MakeCorner(std::uint32_t floorPoint) const;
+  Corners MakeInnerCorner(std::uint32_t out, std::uint32_t triangle) const;
   bool Closes(std::uint32_t triangle) const { return this->FirstCell[triangle] < this->FirstCell[triangle + 1]; }
   bool IsKeptBorder(std::uint32_t h, const Trace& trace) const;
   std::vector<unsigned char> FindRims() const;
@@ -108,7 +122,7 @@ private:
   std::vector<Crossing> Crossings;
   std::vector<unsigned char> IsEnclosed; // [fragment's half-edges] their start, by an odd number of loops
   std::vector<Step> Loop;
-  double Here = 0.0;                    // largest distance in the cell that the loop has come to
+  Corners Here;                         // of the cell that the loop has come to
   std::vector<std::uint32_t> Remainder; // half-edges that a loop crosses once nothing cancels any more
   std::vector<std::uint32_t> Rim;       // the same while it is pulled together
   std::vector<std::uint32_t> Enclosed;  // a half-edge from each point that it was pulled across

@@ -28,26 +28,25 @@ Vector MakeLongNormal(const std::array<Vector, 3>& corners)
 vtkMTSurface::vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin)
 {
   const std::size_t count = mesh.Triangles.size();
-  this->Triangles.resize(count);
-  this->Points.resize(3 * count);
-  for (std::size_t t = 0; t < count; ++t)
+  std::vector<Vector> places(mesh.Points.size());
+  for (std::size_t p = 0; p < places.size(); ++p)
   {
-    const vtkMTTriangle points = mesh.GetPointsOfTriangle(t);
-    auto& corners = this->Triangles[t].Corners;
-    for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < 3; ++i)
     {
-      this->Points[3 * t + c] = points[c];
-      for (int i = 0; i < 3; ++i)
-      {
-        corners[c][i] = static_cast<double>(mesh.Points[points[c]][i]) - static_cast<double>(origin[i]);
-        this->Extent = std::max(this->Extent, std::abs(corners[c][i]));
-      }
+      places[p][i] = static_cast<double>(mesh.Points[p][i]) - static_cast<double>(origin[i]);
+      this->Extent = std::max(this->Extent, std::abs(places[p][i]));
     }
   }
+  this->Triangles.reserve(count);
+  this->Points.resize(3 * count);
   // Below this all products and sums of products are integers below 2^53, so that double precision is exact as well.
   const bool isSmall = this->Extent <= double(1 << 24);
-  for (Triangle& t : this->Triangles)
+  for (std::size_t i = 0; i < count; ++i)
   {
+    const vtkMTTriangle points = mesh.GetPointsOfTriangle(i);
+    std::copy(points.begin(), points.end(), this->Points.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    Triangle t;
+    t.Corners = { places[points[0]], places[points[1]], places[points[2]] };
     const Vector u = Subtract(t.Corners[1], t.Corners[0]);
     const Vector v = Subtract(t.Corners[2], t.Corners[0]);
     const Vector normal = isSmall ? Cross(u, v) : MakeLongNormal(t.Corners);
@@ -55,6 +54,7 @@ vtkMTSurface::vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin)
     t.Normal = t.TwiceArea > 0.0 ? Scale(normal, 1.0 / t.TwiceArea) : Vector{ 0.0, 0.0, 0.0 };
     t.Inward0 = Cross(t.Normal, u);
     t.Inward2 = Cross(v, t.Normal);
+    this->Triangles.push_back(t);
   }
   this->Opposites = vtkMTHalfedgePairs::Find(this->Points);
   this->FindHalfedges(mesh.Points.size());

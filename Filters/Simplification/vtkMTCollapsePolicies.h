@@ -8,6 +8,7 @@
 #ifndef vtkMTCollapsePolicies_h
 #define vtkMTCollapsePolicies_h
 
+#include "vtkMTCgalMesh.h"
 #include "vtkMTCollapseRegion.h"
 
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -15,6 +16,7 @@
 
 #include <boost/optional.hpp>
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -25,9 +27,17 @@ namespace vtkMTCollapse
 {
 namespace SMS = CGAL::Surface_mesh_simplification;
 using Region = vtkMTCollapseRegion;
-using Point = Region::Point;
+using Surface = vtkMTCgalMesh::Surface;
+using Point = vtkMTCgalMesh::Point;
 using Place = boost::optional<Point>;
 using Cost = boost::optional<double>;
+
+/// The collapsing edge of a profile, as the region numbers it.
+template <class Profile>
+std::uint32_t GetHalfedge(const Profile& profile)
+{
+  return static_cast<std::uint32_t>(profile.v0_v1().idx());
+}
 
 /// CGAL collapses all edges between equal points first, past every predicate and filter. Here no two points are equal:
 /// such an edge is one of length zero, with a cost like any other.
@@ -37,20 +47,25 @@ struct NeverEqual
   bool operator()(const Point&, const Point&) const { return false; }
 };
 
-struct Traits : public Region::Kernel
+struct Traits : public vtkMTCgalMesh::Kernel
 {
   using Equal_3 = NeverEqual;
   Equal_3 equal_3_object() const { return {}; }
 };
 
+/// Edges between two locked vertices stay.
 struct ConstrainedMap
 {
-  using key_type = Region::Edge;
+  using key_type = vtkMTCgalMesh::Edge;
   using value_type = bool;
   using reference = bool;
   using category = boost::readable_property_map_tag;
-  const unsigned char* Flags;
-  friend bool get(const ConstrainedMap& map, Region::Edge e) { return map.Flags[e.idx()] != 0; }
+  const Region* R;
+  friend bool get(const ConstrainedMap& map, vtkMTCgalMesh::Edge e)
+  {
+    const auto h = static_cast<std::uint32_t>(2 * e.idx());
+    return map.R->GetState(map.R->Mesh.GetSource(h)).Lock && map.R->GetState(map.R->Mesh.GetTarget(h)).Lock;
+  }
 };
 
 /// Counts triangles, not edges as CGAL's count predicates do: open borders get shorter on the way.
@@ -71,31 +86,33 @@ struct Filter
   template <class Profile>
   Place operator()(const Profile& profile, const Place& place) const
   {
-    if (!place || this->R->MakesChord(profile.v0_v1(), this->R->GetRule(profile.v0_v1())) ||
-      this->R->MakesDoubleEdge(profile.v0_v1()) || this->R->TurnsTriangle(profile.v0_v1(), *place))
-    {
-      return boost::none;
-    }
-    return place;
+    const std::uint32_t h = GetHalfedge(profile);
+    const bool isRefused = !place || this->R->MakesChord(h, this->R->GetRule(h)) || this->R->MakesDoubleEdge(h) ||
+      this->R->SpoilsShape(h, vtkMTCgalMesh::ToVector(*place));
+    return isRefused ? Place() : place;
   }
 };
 
 struct Visitor : public SMS::internal::Dummy_visitor
 {
   Region* R;
-  explicit Visitor(Region& region)
+  vtkMTCgalMesh* M;
+  Visitor(Region& region, vtkMTCgalMesh& mesh)
     : R(&region)
+    , M(&mesh)
   {
   }
   template <class Profile>
   void OnCollapsing(const Profile& profile, const Place& place) const
   {
-    this->R->BeginCollapse(profile.v0_v1(), *place);
+    this->R->BeginCollapse(GetHalfedge(profile), vtkMTCgalMesh::ToVector(*place));
+    this->M->BeginCollapse(profile.v0_v1());
   }
   template <class Profile>
-  void OnCollapsed(const Profile&, Region::Vertex kept) const
+  void OnCollapsed(const Profile&, vtkMTCgalMesh::Vertex kept) const
   {
-    this->R->EndCollapse(kept);
+    this->M->EndCollapse(kept);
+    this->R->EndCollapse(static_cast<std::uint32_t>(kept.idx()));
   }
 };
 
@@ -108,7 +125,7 @@ struct Placement
   template <class Profile>
   Place operator()(const Profile& profile) const
   {
-    const Region::Rule rule = this->R->GetRule(profile.v0_v1());
+    const Region::Rule rule = this->R->GetRule(GetHalfedge(profile));
     return rule == Region::Rule::Refused ? Place() : this->M->GetPlace(profile, rule);
   }
 };
@@ -121,31 +138,31 @@ template <class TraitsType>
 using Parameters = Bare<decltype(CGAL::parameters::geom_traits(std::declval<TraitsType&>()))>;
 template <class TraitsType>
 using VertexIndexMap = Bare<decltype(CGAL::get_initialized_vertex_index_map(
-  std::declval<Region::Mesh&>(), std::declval<const Parameters<TraitsType>&>()))>;
+  std::declval<Surface&>(), std::declval<const Parameters<TraitsType>&>()))>;
 template <class TraitsType>
 using HalfedgeIndexMap = Bare<decltype(CGAL::get_initialized_halfedge_index_map(
-  std::declval<Region::Mesh&>(), std::declval<const Parameters<TraitsType>&>()))>;
-using PointMap = Bare<decltype(CGAL::get_property_map(CGAL::vertex_point, std::declval<Region::Mesh&>()))>;
+  std::declval<Surface&>(), std::declval<const Parameters<TraitsType>&>()))>;
+using PointMap = Bare<decltype(CGAL::get_property_map(CGAL::vertex_point, std::declval<Surface&>()))>;
 template <class TraitsType, class Mode, class CostPolicy>
-using Algorithm = SMS::EdgeCollapse<Region::Mesh, TraitsType, Stop, VertexIndexMap<TraitsType>, PointMap,
+using Algorithm = SMS::EdgeCollapse<Surface, TraitsType, Stop, VertexIndexMap<TraitsType>, PointMap,
   HalfedgeIndexMap<TraitsType>, ConstrainedMap, CostPolicy, Placement<Mode>, Filter, Visitor, false>;
 ///@}
 
 template <class TraitsType, class Mode, class CostPolicy>
-void Run(Region& region, const Mode& mode, const CostPolicy& cost)
+void Run(Region& region, vtkMTCgalMesh& mesh, const Mode& mode, const CostPolicy& cost)
 {
   const Stop stop{ &region };
   const TraitsType traits;
-  const ConstrainedMap constrained{ region.Constrained.data() };
+  const ConstrainedMap constrained{ &region };
   const Placement<Mode> placement{ &region, &mode };
   const Filter filter{ &region };
-  SMS::edge_collapse(region.Surface, stop,
+  SMS::edge_collapse(mesh.Mesh, stop,
     CGAL::parameters::geom_traits(traits)
       .edge_is_constrained_map(constrained)
       .get_cost(cost)
       .get_placement(placement)
       .filter(filter)
-      .visitor(Visitor(region)));
+      .visitor(Visitor(region, mesh)));
 }
 }
 

@@ -3,23 +3,25 @@
 
 #include "vtkMTSimplifier.h"
 
-#include <CGAL/boost/graph/iterator.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 vtkMTCollapseRegion::vtkMTCollapseRegion(const vtkMTPatch& floor, const vtkMTFanMesh& fans)
-  : Floor(floor)
+  : Mesh(fans)
+  , Seams(fans.Seams)
+  , Faces(fans.GetNumberOfTriangles())
+  , Floor(floor)
+  , Parents(floor.Points.size())
+  , Marks(fans.GetNumberOfVertices(), 0)
 {
-  this->Seams = fans.Seams;
-  this->Faces = fans.GetNumberOfTriangles();
-  this->PlaceOrigin();
-  this->BuildSurface(fans);
+  std::iota(this->Parents.begin(), this->Parents.end(), 0u);
+  this->PlaceVertices(fans);
+  this->FillStates(fans);
 }
 
-void vtkMTCollapseRegion::PlaceOrigin()
+void vtkMTCollapseRegion::PlaceVertices(const vtkMTFanMesh& fans)
 {
   const vtkMTBox box = this->Floor.GetBox();
   double half = 1.0;
@@ -39,104 +41,26 @@ void vtkMTCollapseRegion::PlaceOrigin()
   std::frexp(half, &exponent);
   this->Scale = std::ldexp(1.0, exponent);
   this->Magic = std::ldexp(1.5, 52 - exponent);
-}
-
-void vtkMTCollapseRegion::BuildSurface(const vtkMTFanMesh& fans)
-{
-  const std::size_t corners = fans.Vertex.size();
-  std::size_t borders = 0;
-  for (const std::uint32_t f : fans.Opposite)
-  {
-    borders += f == vtkMTFanMesh::None ? 1 : 0;
-  }
-  const std::size_t edges = (corners + borders) / 2;
-  using Size = Mesh::size_type;
-  this->Surface.resize(
-    static_cast<Size>(fans.GetNumberOfVertices()), static_cast<Size>(edges), static_cast<Size>(corners / 3));
-
   const double inverse = 1.0 / this->Scale;
-  for (std::uint32_t v = 0; v < fans.GetNumberOfVertices(); ++v)
+  for (std::size_t v = 0; v < this->Mesh.Places.size(); ++v)
   {
     const vtkMTPoint& k = this->Floor.Points[fans.Point[v]];
-    this->Surface.point(Vertex(v)) = Point(static_cast<double>(k[0] - this->Origin[0]) * inverse,
-      static_cast<double>(k[1] - this->Origin[1]) * inverse, static_cast<double>(k[2] - this->Origin[2]) * inverse);
-  }
-
-  std::vector<Halfedge> halfedges(corners); // that of each edge of a triangle
-  Size edge = 0;
-  for (std::uint32_t c = 0; c < corners; ++c)
-  {
-    const std::uint32_t f = fans.Opposite[c];
-    if (f == vtkMTFanMesh::None || c < f)
+    for (int i = 0; i < 3; ++i)
     {
-      const Halfedge h = this->Surface.halfedge(Edge(edge++));
-      halfedges[c] = h;
-      if (f != vtkMTFanMesh::None)
-      {
-        halfedges[f] = this->Surface.opposite(h);
-      }
-    }
-  }
-  for (std::uint32_t c = 0; c < corners; ++c)
-  {
-    const Halfedge h = halfedges[c];
-    const Face face(c / 3);
-    const Vertex target(fans.Vertex[vtkMTFanMesh::Next(c)]);
-    this->Surface.set_target(h, target);
-    this->Surface.set_halfedge(target, h);
-    this->Surface.set_next(h, halfedges[vtkMTFanMesh::Next(c)]);
-    this->Surface.set_face(h, face);
-    this->Surface.set_halfedge(face, h);
-  }
-  if (borders > 0)
-  {
-    this->LinkBorders(fans, halfedges);
-  }
-  this->FillStates(fans, halfedges);
-}
-
-// A vertex is one fan, so at most one border half-edge runs into it and one out of it.
-void vtkMTCollapseRegion::LinkBorders(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges)
-{
-  std::vector<Halfedge> into(fans.GetNumberOfVertices());
-  for (std::uint32_t c = 0; c < fans.Vertex.size(); ++c)
-  {
-    if (fans.Opposite[c] == vtkMTFanMesh::None)
-    {
-      const Halfedge h = this->Surface.opposite(halfedges[c]);
-      const Vertex target(fans.Vertex[c]);
-      this->Surface.set_target(h, target);
-      this->Surface.set_face(h, Mesh::null_face());
-      this->Surface.set_halfedge(target, h);
-      into[target.idx()] = h;
-    }
-  }
-  for (std::uint32_t c = 0; c < fans.Vertex.size(); ++c)
-  {
-    if (fans.Opposite[c] == vtkMTFanMesh::None)
-    {
-      const std::uint32_t source = fans.Vertex[vtkMTFanMesh::Next(c)];
-      this->Surface.set_next(into[source], this->Surface.opposite(halfedges[c]));
+      this->Mesh.Places[v][i] = static_cast<double>(k[i] - this->Origin[i]) * inverse;
     }
   }
 }
 
-void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges)
+void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans)
 {
   this->States.resize(fans.GetNumberOfVertices());
-  this->Parents.resize(this->Floor.Points.size());
-  std::iota(this->Parents.begin(), this->Parents.end(), 0u);
-  this->Marks.assign(fans.GetNumberOfVertices(), 0);
-  for (std::uint32_t v = 0; v < fans.GetNumberOfVertices(); ++v)
+  for (std::uint32_t v = 0; v < this->States.size(); ++v)
   {
     this->States[v].Point = fans.Point[v];
     this->States[v].Lock = fans.Lock[v];
     this->States[v].Rank = fans.Lock[v] ? Kept : Plain;
     this->Split = this->Split || (fans.Lock[v] & vtkMTFanMesh::NonManifold);
-  }
-  if (this->Seams)
-  {
-    this->HalfedgeWedges.assign(this->Surface.number_of_halfedges(), vtkMTFanMesh::None);
   }
   for (std::uint32_t c = 0; c < fans.Vertex.size(); ++c)
   {
@@ -146,106 +70,116 @@ void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans, const std::vector
     {
       state.Rank = Border;
     }
-    if (this->Seams)
-    {
-      this->HalfedgeWedges[halfedges[vtkMTFanMesh::Previous(c)]] = fans.Wedge[c];
-    }
   }
-  if (this->Seams)
+  for (std::uint32_t v = 0; this->Seams && v < this->States.size(); ++v)
   {
-    for (const Vertex v : this->Surface.vertices())
-    {
-      this->States[v.idx()].Rank = this->ComputeRank(v);
-    }
-  }
-  this->Constrained.resize(this->Surface.number_of_edges());
-  for (const Edge e : this->Surface.edges())
-  {
-    this->Constrained[e.idx()] =
-      this->GetState(this->Surface.vertex(e, 0)).Lock && this->GetState(this->Surface.vertex(e, 1)).Lock ? 1 : 0;
+    this->States[v].Rank = this->ComputeRank(v);
   }
 }
 
-void vtkMTCollapseRegion::BeginCollapse(Halfedge h, const Point& place)
+// What is true of every collapse, whoever makes it. Gives the half-edge from the vertex that disappears.
+std::uint32_t vtkMTCollapseRegion::NoteCollapse(std::uint32_t h, const Vector& place)
 {
-  const bool first = this->KeepsFirst(h, this->GetRule(h), place);
-  this->Surviving = this->GetState(first ? this->Surface.source(h) : this->Surface.target(h));
-  const VertexState& removed = this->GetState(first ? this->Surface.target(h) : this->Surface.source(h));
-  this->Parents[removed.Point] = this->Surviving.Point;
-  this->Faces -= (this->Surface.is_border(h) ? 0 : 1) + (this->Surface.is_border(this->Surface.opposite(h)) ? 0 : 1);
+  const std::uint32_t removed = this->KeepsFirst(h, this->GetRule(h), place) ? h ^ 1 : h;
+  this->Surviving = this->GetState(this->Mesh.GetTarget(removed));
+  this->Parents[this->GetState(this->Mesh.GetSource(removed)).Point] = this->Surviving.Point;
+  this->Faces -= (this->Mesh.IsBorder(h) ? 0 : 1) + (this->Mesh.IsBorder(h ^ 1) ? 0 : 1);
   if (this->Seams)
   {
-    this->SaveCorners(h, first);
+    this->SaveCorners(removed);
+  }
+  return removed;
+}
+
+std::uint32_t vtkMTCollapseRegion::Collapse(std::uint32_t h, const Vector& place)
+{
+  const std::uint32_t removed = this->NoteCollapse(h, place);
+  const std::uint32_t kept = this->Mesh.GetTarget(removed);
+  this->Mesh.Collapse(removed);
+  this->Mesh.Places[kept] = place;
+  this->EndCollapse(kept);
+  return kept;
+}
+
+void vtkMTCollapseRegion::BeginCollapse(std::uint32_t h, const Vector& place)
+{
+  this->NoteCollapse(h, place);
+}
+
+void vtkMTCollapseRegion::EndCollapse(std::uint32_t kept)
+{
+  this->States[kept] = this->Surviving;
+  if (this->Seams)
+  {
+    this->RestoreCorners();
+    this->UpdateRanks(kept);
   }
 }
 
-void vtkMTCollapseRegion::EndCollapse(Vertex kept)
+// The corners of the triangles around both vertices as they will be, each found again by the half-edge opposite to it,
+// which a collapse keeps.
+void vtkMTCollapseRegion::SaveCorners(std::uint32_t removed)
 {
-  this->States[kept.idx()] = this->Surviving;
-  if (this->Seams)
-  {
-    this->RestoreCorners(kept);
-  }
-}
-
-void vtkMTCollapseRegion::SaveCorners(Halfedge h, bool keepsFirst)
-{
-  const Mesh& m = this->Surface;
-  const Halfedge removed = keepsFirst ? m.opposite(h) : h; // from the removed vertex to the kept one
-  const Halfedge back = m.opposite(removed);
-  const bool hasLeft = !m.is_border(removed);
-  const bool hasRight = !m.is_border(back);
-  const std::uint32_t left = this->HalfedgeWedges[hasLeft ? removed : m.prev(back)];
-  const std::uint32_t right = this->HalfedgeWedges[hasRight ? m.prev(back) : removed];
-
+  const vtkMTCollapseMesh& m = this->Mesh;
+  const std::uint32_t back = removed ^ 1;
+  const std::uint32_t atLeft = m.IsBorder(removed) ? m.GetPrevious(back) : removed;
+  const std::uint32_t atRight = m.IsBorder(back) ? removed : m.GetPrevious(back);
   this->Saved.clear();
   // Around the removed vertex: its corners take the kept point's wedge of the same side, and a seam edge divides the
   // sides.
-  std::uint32_t apex = left;
-  for (Halfedge out = this->GetNextOut(removed); out != m.next(back); out = this->GetNextOut(out))
+  std::uint32_t apex = m.Wedges[atLeft];
+  for (std::uint32_t out = m.GetNextOut(removed); out != m.GetNext(back); out = m.GetNextOut(out))
   {
     if (this->IsSeamEdge(out))
     {
-      apex = right;
+      apex = m.Wedges[atRight];
     }
     this->SaveCorner(out, apex);
   }
-  for (Halfedge out = this->GetNextOut(back); out != m.next(removed); out = this->GetNextOut(out))
+  for (std::uint32_t out = m.GetNextOut(back); out != m.GetNext(removed); out = m.GetNextOut(out))
   {
-    this->SaveCorner(out, this->HalfedgeWedges[m.prev(out)]);
+    this->SaveCorner(out, m.Wedges[m.GetPrevious(out)]);
   }
 }
 
-void vtkMTCollapseRegion::SaveCorner(Halfedge out, std::uint32_t apex)
+void vtkMTCollapseRegion::SaveCorner(std::uint32_t out, std::uint32_t apex)
 {
-  if (!this->Surface.is_border(out))
+  if (!this->Mesh.IsBorder(out))
   {
-    const Halfedge link = this->Surface.next(out);
-    this->Saved.push_back({ link, apex, this->HalfedgeWedges[out], this->HalfedgeWedges[link] });
+    const std::uint32_t link = this->Mesh.GetNext(out);
+    this->Saved.push_back({ link, apex, this->Mesh.Wedges[out], this->Mesh.Wedges[link] });
   }
 }
 
-void vtkMTCollapseRegion::RestoreCorners(Vertex kept)
+void vtkMTCollapseRegion::RestoreCorners()
 {
   for (const SavedCorner& corner : this->Saved)
   {
-    this->HalfedgeWedges[corner.Link] = corner.Target;
-    this->HalfedgeWedges[this->Surface.next(corner.Link)] = corner.Apex;
-    this->HalfedgeWedges[this->Surface.prev(corner.Link)] = corner.Source;
-  }
-  // Where seam edges have come together or have ended, vertices can change their rank.
-  if (this->Surviving.Rank >= Seam)
-  {
-    for (const Halfedge h : CGAL::halfedges_around_target(kept, this->Surface))
-    {
-      const Vertex v = this->Surface.source(h);
-      this->States[v.idx()].Rank = this->ComputeRank(v);
-    }
-    this->States[kept.idx()].Rank = this->ComputeRank(kept);
+    this->Mesh.Wedges[corner.Link] = corner.Target;
+    this->Mesh.Wedges[this->Mesh.GetNext(corner.Link)] = corner.Apex;
+    this->Mesh.Wedges[this->Mesh.GetPrevious(corner.Link)] = corner.Source;
   }
 }
 
-vtkMTPoint vtkMTCollapseRegion::ToLattice(const Point& p) const
+// Where seam edges have come together or have ended, vertices can change their rank.
+void vtkMTCollapseRegion::UpdateRanks(std::uint32_t kept)
+{
+  if (this->Surviving.Rank < Seam)
+  {
+    return;
+  }
+  const std::uint32_t begin = this->Mesh.Outs[kept];
+  std::uint32_t h = begin;
+  do
+  {
+    const std::uint32_t v = this->Mesh.GetTarget(h);
+    this->States[v].Rank = this->ComputeRank(v);
+    h = this->Mesh.GetNextOut(h);
+  } while (h != begin);
+  this->States[kept].Rank = this->ComputeRank(kept);
+}
+
+vtkMTPoint vtkMTCollapseRegion::ToLattice(const Vector& p) const
 {
   vtkMTPoint k;
   for (int i = 0; i < 3; ++i)
@@ -263,20 +197,24 @@ void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
   std::vector<std::uint32_t> pointMap(this->Floor.Points.size(), none);
   std::vector<std::uint32_t> wedgeMap(this->Floor.GetNumberOfWedges(), none);
   result.Triangles.reserve(this->Faces);
-  for (const Face f : this->Surface.faces())
+  for (std::uint32_t f = 0; f < this->Mesh.Faces.size(); ++f)
   {
+    if (!this->Mesh.IsFace(f))
+    {
+      continue;
+    }
     vtkMTTriangle triangle;
-    Halfedge h = this->Surface.halfedge(f);
+    std::uint32_t h = this->Mesh.Faces[f];
     for (std::uint32_t& corner : triangle)
     {
-      const Vertex v = this->Surface.target(h);
+      const std::uint32_t v = this->Mesh.GetTarget(h);
       const VertexState& state = this->GetState(v);
-      const std::uint32_t wedge = this->Seams ? this->HalfedgeWedges[h] : state.Wedge;
+      const std::uint32_t wedge = this->Seams ? this->Mesh.Wedges[h] : state.Wedge;
       if (pointMap[state.Point] == none)
       {
         pointMap[state.Point] = static_cast<std::uint32_t>(result.Points.size());
         const vtkMTPoint& before = this->Floor.Points[state.Point];
-        result.Points.push_back(state.Lock ? before : this->ToLattice(this->GetPlace(v)));
+        result.Points.push_back(state.Lock ? before : this->ToLattice(this->Mesh.GetPlace(v)));
         result.PointOrigin.push_back(state.Point);
         result.Moved.push_back(result.Points.back() != before ? 1 : 0);
       }
@@ -287,7 +225,7 @@ void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
         result.WedgeOrigin.push_back(wedge);
       }
       corner = wedgeMap[wedge];
-      h = this->Surface.next(h);
+      h = this->Mesh.GetNext(h);
     }
     result.Triangles.push_back(triangle);
   }

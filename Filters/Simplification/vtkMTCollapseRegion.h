@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTCollapseRegion
- * @brief one region while its edges are collapsed: CGAL's mesh, and what CGAL does not know about it
+ * @brief one region while its edges are collapsed: its mesh, and what may become of its vertices
  *
  * Places. The region's box is moved to the origin and scaled by a power of two to about unit size, so that no quadric
  * loses digits to large coordinates. Both steps are exact: a lattice point and its place here are the same number.
@@ -14,19 +14,15 @@
  * they are.
  *
  * Wedges. Without seams each vertex has one wedge. With seams each half-edge h holds the wedge of the corner at its
- * target in its face. CGAL keeps the half-edges opposite to the two collapsing vertices, so the corners of the
- * outer triangles are saved by these before a collapse and put back after it, whichever others CGAL has deleted.
- *
- * CGAL is included here and in the sources that include this header, and in no public header.
+ * target in its face; when a vertex disappears, its corners take wedges of the one that it disappears into, each from
+ * its own side of the seam.
  */
 #ifndef vtkMTCollapseRegion_h
 #define vtkMTCollapseRegion_h
 
+#include "vtkMTCollapseMesh.h"
 #include "vtkMTFanMesh.h"
 #include "vtkMTPatch.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <cstdint>
@@ -40,14 +36,8 @@ struct vtkMTSimplification;
 class vtkMTCollapseRegion
 {
 public:
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Point = Kernel::Point_3;
-  using Vector = Kernel::Vector_3;
-  using Mesh = CGAL::Surface_mesh<Point>;
-  using Vertex = Mesh::Vertex_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Edge = Mesh::Edge_index;
-  using Face = Mesh::Face_index;
+  using Vector = vtkMTVector::Vector;
+  static constexpr std::uint32_t None = vtkMTCollapseMesh::None;
 
   enum RankType : unsigned char
   {
@@ -75,7 +65,7 @@ public:
     Free
   };
 
-  /// Thrown from a cost or a stop predicate when a region has taken more steps than it may.
+  /// Thrown when a region has taken more steps than it may.
   class StepLimitReached : public std::exception
   {
   public:
@@ -86,9 +76,8 @@ public:
   vtkMTCollapseRegion(const vtkMTCollapseRegion&) = delete;
   void operator=(const vtkMTCollapseRegion&) = delete;
 
-  Mesh Surface;
-  std::vector<VertexState> States;        ///< [vertices]
-  std::vector<unsigned char> Constrained; ///< [edges] 1 where both ends are locked: such an edge stays
+  vtkMTCollapseMesh Mesh;
+  std::vector<VertexState> States; ///< [vertices]
   bool Seams = false;
   bool Split = false; ///< whether any point has several fans
   std::size_t Faces = 0;
@@ -96,17 +85,9 @@ public:
   std::uint64_t Steps = 0;
   std::uint64_t StepLimit = ~std::uint64_t(0);
 
-  const Point& GetPlace(Vertex v) const { return this->Surface.point(v); }
-  const VertexState& GetState(Vertex v) const { return this->States[v.idx()]; }
-  Halfedge GetOpposite(Halfedge h) const { return this->Surface.opposite(h); }
-  /// The next half-edge out of the same vertex, counter-clockwise.
-  Halfedge GetNextOut(Halfedge h) const { return this->Surface.opposite(this->Surface.prev(h)); }
+  const VertexState& GetState(std::uint32_t v) const { return this->States[v]; }
 
-  bool IsBorderEdge(Halfedge h) const
-  {
-    return this->Surface.is_border(h) || this->Surface.is_border(this->Surface.opposite(h));
-  }
-  bool IsSeamEdge(Halfedge h) const;
+  bool IsSeamEdge(std::uint32_t h) const;
 
   /// Counts a step; throws StepLimitReached.
   void Step()
@@ -117,44 +98,39 @@ public:
     }
   }
 
-  Rule GetRule(Halfedge h) const
+  Rule GetRule(std::uint32_t h) const
   {
-    const unsigned char r0 = this->GetState(this->Surface.source(h)).Rank;
-    const unsigned char r1 = this->GetState(this->Surface.target(h)).Rank;
+    const unsigned char r0 = this->GetState(this->Mesh.GetSource(h)).Rank;
+    const unsigned char r1 = this->GetState(this->Mesh.GetTarget(h)).Rank;
     return (r0 | r1) == Plain ? Rule::Free : this->GetRuleOfRanks(h, r0, r1);
   }
 
   /// The nearest lattice point's place.
-  Point Snap(const Point& p) const
+  Vector Snap(const Vector& p) const
   {
     const double m = this->Magic;
-    return Point((p.x() + m) - m, (p.y() + m) - m, (p.z() + m) - m);
+    return { (p[0] + m) - m, (p[1] + m) - m, (p[2] + m) - m };
   }
 
-  /// Whether the vertex keeps its identity when the edge collapses to the place: true for v0, false for v1.
-  bool KeepsFirst(Halfedge h, Rule rule, const Point& place) const;
-
+  /// Whether the mesh stays a manifold without twin triangles: the link condition, with care at borders and for closed
+  /// pieces.
+  bool SatisfiesLink(std::uint32_t h) const;
   ///@{
   /// Reasons to refuse a collapse: it would join two locked vertices by a new edge, or make one that they have a
   /// border; it would join one vertex to two fans of the same point, which put together again would give an edge with
-  /// four triangles; it would turn a triangle by a right angle or more. A triangle without area has no side and may
-  /// turn.
-  bool MakesChord(Halfedge h, Rule rule) const;
-  bool MakesDoubleEdge(Halfedge h) const;
-  bool TurnsTriangle(Halfedge h, const Point& place) const;
+  /// four triangles; it would turn a triangle by a right angle or more, or lay two neighbouring triangles back to back
+  /// (within a degree). A triangle without area has no side and may turn.
+  bool MakesChord(std::uint32_t h, Rule rule) const;
+  bool MakesDoubleEdge(std::uint32_t h) const;
+  bool SpoilsShape(std::uint32_t h, const Vector& place) const;
   ///@}
-  /// Whether the mesh stays a manifold without twin triangles: the link condition, and what CGAL asks for besides at
-  /// borders and for closed pieces.
-  bool SatisfiesLink(Halfedge h) const;
-  /// Whether two neighbouring triangles would lie back to back (within a degree) after the collapse.
-  bool FoldsEdge(Halfedge h, const Point& place) const;
-  /// Whether triangles p0 p1 p2 and p0 p2 p3 do not lie back to back.
-  static bool AreUnfolded(const Point& p0, const Point& p1, const Point& p2, const Point& p3);
 
+  /// Collapses the edge to the place, and gives the vertex that is left.
+  std::uint32_t Collapse(std::uint32_t h, const Vector& place);
   ///@{
-  /// Called before and after CGAL's collapse; kept is the vertex that CGAL kept, which is either of the two.
-  void BeginCollapse(Halfedge h, const Point& place);
-  void EndCollapse(Vertex kept);
+  /// The same around a collapse of the mesh by someone else, who may keep either of the two vertices.
+  void BeginCollapse(std::uint32_t h, const Vector& place);
+  void EndCollapse(std::uint32_t kept);
   ///@}
 
   /**
@@ -166,46 +142,56 @@ public:
   /// The fragment as it is now. Blocked and RemovedComponents are left alone.
   void Extract(vtkMTSimplification& result) const;
   /// Counts the edges left by what keeps them from collapsing. Where rules, topology and chords would let them, that is
-  /// the shape
-  /// ("fold"), or the limit of steps ("steps") when it was reached.
+  /// the shape ("fold"), or the limit of steps ("steps") when it was reached.
   void CountBlocked(std::map<std::string, std::int64_t>& blocked) const;
 
 private:
   struct SavedCorner
   {
-    Halfedge Link; // the triangle's half-edge opposite to the vertex
+    std::uint32_t Link; // the triangle's half-edge opposite to the vertex
     std::uint32_t Apex;
     std::uint32_t Source;
     std::uint32_t Target;
   };
+  // The triangles around a vertex, those of a run that were seen first and last.
+  struct Ring
+  {
+    std::uint32_t FirstA = None;
+    std::uint32_t FirstB = None;
+    std::uint32_t LastA = None;
+    std::uint32_t LastB = None;
+    Vector FirstNormal{ 0.0, 0.0, 0.0 };
+    Vector LastNormal{ 0.0, 0.0, 0.0 };
+  };
 
-  void PlaceOrigin();
-  void BuildSurface(const vtkMTFanMesh& fans);
-  void LinkBorders(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges);
-  void FillStates(const vtkMTFanMesh& fans, const std::vector<Halfedge>& halfedges);
-  unsigned char ComputeRank(Vertex v) const;
-  bool IsClosableHole(Halfedge h, double maximumDiagonal) const;
-  void CloseHole(Halfedge h);
-  Rule GetRuleOfRanks(Halfedge h, unsigned char r0, unsigned char r1) const;
-  bool CanSlide(Halfedge h) const;
-  bool IsNextToOtherFan(Vertex v, Vertex fan) const;
-  bool TurnsTriangleOf(Halfedge out, Halfedge end, const Point& place) const;
-  bool FoldsAtLink(Halfedge h, Halfedge link, const Point& place) const;
-  void MarkNeighbours(Vertex v) const;
-  const char* GetCause(Halfedge h) const;
-  const char* GetCauseOfRanks(Halfedge h) const;
-  void SaveCorners(Halfedge h, bool keepsFirst);
-  void SaveCorner(Halfedge out, std::uint32_t apex);
-  void RestoreCorners(Vertex kept);
-  vtkMTPoint ToLattice(const Point& p) const;
+  void PlaceVertices(const vtkMTFanMesh& fans);
+  void FillStates(const vtkMTFanMesh& fans);
+  unsigned char ComputeRank(std::uint32_t v) const;
+  void UpdateRanks(std::uint32_t kept);
+  Rule GetRuleOfRanks(std::uint32_t h, unsigned char r0, unsigned char r1) const;
+  bool CanSlide(std::uint32_t h) const;
+  bool KeepsFirst(std::uint32_t h, Rule rule, const Vector& place) const;
+  bool IsNextToOtherFan(std::uint32_t v, std::uint32_t fan) const;
+  static bool IsTurned(const Vector& before, const Vector& after);
+  bool FoldsAtLink(std::uint32_t h, std::uint32_t link, const Vector& normal) const;
+  bool IsTetrahedron(std::uint32_t h) const;
+  void MarkNeighbours(std::uint32_t v) const;
+  bool IsClosableHole(std::uint32_t h, double maximumDiagonal) const;
+  void CloseHole(std::uint32_t h);
+  const char* GetCause(std::uint32_t h) const;
+  const char* GetCauseOfRanks(std::uint32_t h) const;
+  std::uint32_t NoteCollapse(std::uint32_t h, const Vector& place);
+  void SaveCorners(std::uint32_t removed);
+  void SaveCorner(std::uint32_t out, std::uint32_t apex);
+  void RestoreCorners();
+  vtkMTPoint ToLattice(const Vector& p) const;
   void ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const;
 
   const vtkMTPatch& Floor;
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 };
-  double Scale = 1.0;                        // lattice steps per unit here, a power of two
-  double Magic = 0.0;                        // adding and subtracting it rounds to the lattice
-  std::vector<std::uint32_t> HalfedgeWedges; // [half-edges] when there are seams
-  std::vector<std::uint32_t> Parents;        // [the floor's points] what each has been merged into, or itself
+  double Scale = 1.0;                 // lattice steps per unit here, a power of two
+  double Magic = 0.0;                 // adding and subtracting it rounds to the lattice
+  std::vector<std::uint32_t> Parents; // [the floor's points] what each has been merged into, or itself
   VertexState Surviving;
   std::vector<SavedCorner> Saved;
   mutable std::vector<std::uint32_t> Marks; // [vertices] the neighbours of a vertex carry the present mark

@@ -2,23 +2,22 @@
 // Which edges may collapse, where to, and why the others may not.
 #include "vtkMTCollapseRegion.h"
 
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
-
 #include <algorithm>
 
-bool vtkMTCollapseRegion::IsSeamEdge(Halfedge h) const
+using namespace vtkMTVector;
+
+bool vtkMTCollapseRegion::IsSeamEdge(std::uint32_t h) const
 {
-  if (!this->Seams || this->IsBorderEdge(h))
+  if (!this->Seams || this->Mesh.IsBorderEdge(h))
   {
     return false;
   }
-  const Halfedge o = this->Surface.opposite(h);
-  return this->HalfedgeWedges[h] != this->HalfedgeWedges[this->Surface.prev(o)] ||
-    this->HalfedgeWedges[o] != this->HalfedgeWedges[this->Surface.prev(h)];
+  const std::uint32_t o = h ^ 1;
+  return this->Mesh.Wedges[h] != this->Mesh.Wedges[this->Mesh.GetPrevious(o)] ||
+    this->Mesh.Wedges[o] != this->Mesh.Wedges[this->Mesh.GetPrevious(h)];
 }
 
-unsigned char vtkMTCollapseRegion::ComputeRank(Vertex v) const
+unsigned char vtkMTCollapseRegion::ComputeRank(std::uint32_t v) const
 {
   if (this->GetState(v).Lock)
   {
@@ -26,13 +25,13 @@ unsigned char vtkMTCollapseRegion::ComputeRank(Vertex v) const
   }
   int seams = 0;
   bool border = false;
-  const Halfedge begin = this->Surface.opposite(this->Surface.halfedge(v));
-  Halfedge h = begin;
+  const std::uint32_t begin = this->Mesh.Outs[v];
+  std::uint32_t h = begin;
   do
   {
     seams += this->IsSeamEdge(h) ? 1 : 0;
-    border = border || this->Surface.is_border(h);
-    h = this->GetNextOut(h);
+    border = border || this->Mesh.IsBorder(h);
+    h = this->Mesh.GetNextOut(h);
   } while (h != begin);
   if (seams == 0)
   {
@@ -41,10 +40,10 @@ unsigned char vtkMTCollapseRegion::ComputeRank(Vertex v) const
   return seams == 2 && !border ? Seam : Kept;
 }
 
-vtkMTCollapseRegion::Rule vtkMTCollapseRegion::GetRuleOfRanks(Halfedge h, unsigned char r0, unsigned char r1) const
+vtkMTCollapseRegion::Rule vtkMTCollapseRegion::GetRuleOfRanks(std::uint32_t h, unsigned char r0, unsigned char r1) const
 {
   const unsigned char low = std::min(r0, r1);
-  if (low == Kept || (low == Border && !this->IsBorderEdge(h)) || (low == Seam && !this->CanSlide(h)))
+  if (low == Kept || (low == Border && !this->Mesh.IsBorderEdge(h)) || (low == Seam && !this->CanSlide(h)))
   {
     return Rule::Refused;
   }
@@ -56,21 +55,21 @@ vtkMTCollapseRegion::Rule vtkMTCollapseRegion::GetRuleOfRanks(Halfedge h, unsign
 }
 
 // Along a seam edge, unless the collapse would lay two seam edges upon each other.
-bool vtkMTCollapseRegion::CanSlide(Halfedge h) const
+bool vtkMTCollapseRegion::CanSlide(std::uint32_t h) const
 {
   if (!this->IsSeamEdge(h))
   {
     return false;
   }
-  const Halfedge o = this->Surface.opposite(h);
-  return !(this->IsSeamEdge(this->Surface.next(h)) && this->IsSeamEdge(this->Surface.prev(h))) &&
-    !(this->IsSeamEdge(this->Surface.next(o)) && this->IsSeamEdge(this->Surface.prev(o)));
+  const std::uint32_t o = h ^ 1;
+  return !(this->IsSeamEdge(this->Mesh.GetNext(h)) && this->IsSeamEdge(this->Mesh.GetPrevious(h))) &&
+    !(this->IsSeamEdge(this->Mesh.GetNext(o)) && this->IsSeamEdge(this->Mesh.GetPrevious(o)));
 }
 
-bool vtkMTCollapseRegion::KeepsFirst(Halfedge h, Rule rule, const Point& place) const
+bool vtkMTCollapseRegion::KeepsFirst(std::uint32_t h, Rule rule, const Vector& place) const
 {
-  const Vertex v0 = this->Surface.source(h);
-  const Vertex v1 = this->Surface.target(h);
+  const std::uint32_t v0 = this->Mesh.GetSource(h);
+  const std::uint32_t v1 = this->Mesh.GetTarget(h);
   switch (rule)
   {
     case Rule::First:
@@ -78,38 +77,40 @@ bool vtkMTCollapseRegion::KeepsFirst(Halfedge h, Rule rule, const Point& place) 
     case Rule::Second:
       return false;
     case Rule::Ends:
-      return place == this->GetPlace(v0);
+      return place == this->Mesh.GetPlace(v0);
     default:
       break;
   }
-  const double d0 = (place - this->GetPlace(v0)).squared_length();
-  const double d1 = (place - this->GetPlace(v1)).squared_length();
+  const Vector from0 = Subtract(place, this->Mesh.GetPlace(v0));
+  const Vector from1 = Subtract(place, this->Mesh.GetPlace(v1));
+  const double d0 = Dot(from0, from0);
+  const double d1 = Dot(from1, from1);
   return d0 != d1 ? d0 < d1 : this->GetState(v0).Point < this->GetState(v1).Point;
 }
 
-bool vtkMTCollapseRegion::MakesChord(Halfedge h, Rule rule) const
+bool vtkMTCollapseRegion::MakesChord(std::uint32_t h, Rule rule) const
 {
   // All new edges join the vertex that is kept to a neighbour of the other one.
-  const Halfedge removed = rule == Rule::First ? this->Surface.opposite(h) : h; // runs from the removed vertex
-  const Vertex kept = this->Surface.target(removed);
+  const std::uint32_t removed = rule == Rule::First ? h ^ 1 : h; // runs from the removed vertex
+  const std::uint32_t kept = this->Mesh.GetTarget(removed);
   if (rule == Rule::Free || rule == Rule::Ends || !this->GetState(kept).Lock)
   {
     return false;
   }
   // The third vertices of the edge's own triangles are neighbours of the kept one already; there the edge must not
   // become a border because the removed triangle was the last one on its side.
-  const Mesh& m = this->Surface;
-  const Halfedge left = this->GetNextOut(removed);
-  const Halfedge right = m.next(m.opposite(removed));
-  for (Halfedge out = left; out != removed; out = this->GetNextOut(out))
+  const vtkMTCollapseMesh& m = this->Mesh;
+  const std::uint32_t left = this->Mesh.GetNextOut(removed);
+  const std::uint32_t right = m.GetNext(removed ^ 1);
+  for (std::uint32_t out = left; out != removed; out = this->Mesh.GetNextOut(out))
   {
-    if (!this->GetState(m.target(out)).Lock)
+    if (!this->GetState(m.GetTarget(out)).Lock)
     {
       continue;
     }
-    const bool ofLeft = out == left && !m.is_border(removed);
-    const bool ofRight = out == right && !m.is_border(m.opposite(removed));
-    if ((!ofLeft && !ofRight) || this->IsBorderEdge(out))
+    const bool ofLeft = out == left && !m.IsBorder(removed);
+    const bool ofRight = out == right && !m.IsBorder(removed ^ 1);
+    if ((!ofLeft && !ofRight) || this->Mesh.IsBorderEdge(out))
     {
       return true;
     }
@@ -117,7 +118,7 @@ bool vtkMTCollapseRegion::MakesChord(Halfedge h, Rule rule) const
   return false;
 }
 
-bool vtkMTCollapseRegion::MakesDoubleEdge(Halfedge h) const
+bool vtkMTCollapseRegion::MakesDoubleEdge(std::uint32_t h) const
 {
   if (!this->Split)
   {
@@ -125,14 +126,14 @@ bool vtkMTCollapseRegion::MakesDoubleEdge(Halfedge h) const
   }
   // Before the collapse no free vertex is next to two fans of one point. Afterwards the kept vertex could be, with one
   // fan next to either of the two, and so could a neighbour where the kept vertex is itself a fan.
-  const Mesh& m = this->Surface;
-  for (const Halfedge start : { h, m.opposite(h) })
+  const vtkMTCollapseMesh& m = this->Mesh;
+  for (const std::uint32_t start : { h, h ^ 1 })
   {
-    const Vertex other = m.target(start);
+    const std::uint32_t other = m.GetTarget(start);
     const bool otherIsFan = (this->GetState(other).Lock & vtkMTFanMesh::NonManifold) != 0;
-    for (Halfedge out = this->GetNextOut(start); out != start; out = this->GetNextOut(out))
+    for (std::uint32_t out = this->Mesh.GetNextOut(start); out != start; out = this->Mesh.GetNextOut(out))
     {
-      const Vertex v = m.target(out);
+      const std::uint32_t v = m.GetTarget(out);
       if (((this->GetState(v).Lock & vtkMTFanMesh::NonManifold) && this->IsNextToOtherFan(other, v)) ||
         (otherIsFan && this->IsNextToOtherFan(v, other)))
       {
@@ -144,173 +145,183 @@ bool vtkMTCollapseRegion::MakesDoubleEdge(Halfedge h) const
 }
 
 // Whether v has a neighbour that is of fan's point but is not fan.
-bool vtkMTCollapseRegion::IsNextToOtherFan(Vertex v, Vertex fan) const
+bool vtkMTCollapseRegion::IsNextToOtherFan(std::uint32_t v, std::uint32_t fan) const
 {
   const std::uint32_t point = this->GetState(fan).Point;
-  for (const Vertex w : CGAL::vertices_around_target(v, this->Surface))
+  const std::uint32_t begin = this->Mesh.Outs[v];
+  std::uint32_t h = begin;
+  do
   {
+    const std::uint32_t w = this->Mesh.GetTarget(h);
     if (w != fan && this->GetState(w).Point == point)
     {
       return true;
     }
-  }
+    h = this->Mesh.GetNextOut(h);
+  } while (h != begin);
   return false;
 }
 
-bool vtkMTCollapseRegion::TurnsTriangle(Halfedge h, const Point& place) const
+namespace
 {
-  const Halfedge o = this->Surface.opposite(h);
-  return (place != this->GetPlace(this->Surface.source(h)) && this->TurnsTriangleOf(h, this->Surface.next(o), place)) ||
-    (place != this->GetPlace(this->Surface.target(h)) && this->TurnsTriangleOf(o, this->Surface.next(h), place));
-}
-
-// The triangles around the source of out, those at the edge itself left out: from after out until before end.
-bool vtkMTCollapseRegion::TurnsTriangleOf(Halfedge out, Halfedge end, const Point& place) const
+// Whether two neighbouring triangles with these normals, as long as their areas, lie back to back within a degree.
+bool AreFolded(const Vector& n, const Vector& m)
 {
-  const Point& p = this->GetPlace(this->Surface.source(out));
-  for (Halfedge h = this->GetNextOut(out); h != end; h = this->GetNextOut(h))
-  {
-    if (this->Surface.is_border(h))
-    {
-      continue;
-    }
-    const Point& a = this->GetPlace(this->Surface.target(h));
-    const Point& b = this->GetPlace(this->Surface.target(this->Surface.next(h)));
-    const Vector before = CGAL::cross_product(a - p, b - p);
-    const Vector after = CGAL::cross_product(a - place, b - place);
-    if (!(before * after > 0.0) && before != CGAL::NULL_VECTOR)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool vtkMTCollapseRegion::AreUnfolded(const Point& p0, const Point& p1, const Point& p2, const Point& p3)
-{
-  const Vector d = p2 - p0;
-  const Vector n = CGAL::cross_product(p1 - p0, d);
-  const Vector m = CGAL::cross_product(d, p3 - p0);
-  const double dot = n * m;
   constexpr double squaredCosine = 0.99969541350954788; // of one degree
-  return dot > 0.0 || dot * dot <= squaredCosine * (n.squared_length() * m.squared_length());
+  const double dot = Dot(n, m);
+  return dot <= 0.0 && dot * dot > squaredCosine * (Dot(n, n) * Dot(m, m));
+}
 }
 
 // After the collapse the triangles around the kept vertex are, counter-clockwise, those of v0 from vL to vR and then
 // those of v1 from vR to vL, each of them place, a, b with the half-edge a -> b opposite to place.
-bool vtkMTCollapseRegion::FoldsEdge(Halfedge h, const Point& place) const
+bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) const
 {
-  const Mesh& m = this->Surface;
-  Vertex previousA;
-  Vertex previousB;
-  Vertex firstA;
-  Vertex firstB;
-  for (const Halfedge start : { h, m.opposite(h) })
+  const vtkMTCollapseMesh& m = this->Mesh;
+  Ring ring;
+  for (const std::uint32_t start : { h, h ^ 1 })
   {
-    const Halfedge end = m.next(m.opposite(start));
-    for (Halfedge out = this->GetNextOut(start); out != end; out = this->GetNextOut(out))
+    const Vector& center = m.GetPlace(m.GetSource(start));
+    const bool isMoved = center != place;
+    const std::uint32_t end = m.GetNext(start ^ 1);
+    for (std::uint32_t out = m.GetNextOut(start); out != end; out = m.GetNextOut(out))
     {
-      if (m.is_border(out))
+      if (m.IsBorder(out))
       {
         continue;
       }
-      const Halfedge link = m.next(out);
-      const Vertex a = m.target(out);
-      const Vertex b = m.target(link);
-      if (this->FoldsAtLink(h, link, place) ||
-        (previousB == a && !AreUnfolded(place, this->GetPlace(previousA), this->GetPlace(a), this->GetPlace(b))))
+      const std::uint32_t link = m.GetNext(out);
+      const std::uint32_t a = m.GetTarget(out);
+      const std::uint32_t b = m.GetTarget(link);
+      const Vector& pa = m.GetPlace(a);
+      const Vector& pb = m.GetPlace(b);
+      const Vector normal = Cross(Subtract(pa, place), Subtract(pb, place));
+      if ((isMoved && this->IsTurned(Cross(Subtract(pa, center), Subtract(pb, center)), normal)) ||
+        (ring.LastB == a && AreFolded(ring.LastNormal, normal)) || this->FoldsAtLink(h, link, normal))
       {
         return true;
       }
-      if (firstA == Mesh::null_vertex())
+      if (ring.FirstA == None)
       {
-        firstA = a;
-        firstB = b;
+        ring.FirstA = a;
+        ring.FirstB = b;
+        ring.FirstNormal = normal;
       }
-      previousA = a;
-      previousB = b;
+      ring.LastA = a;
+      ring.LastB = b;
+      ring.LastNormal = normal;
     }
   }
-  return previousB != Mesh::null_vertex() && previousB == firstA && previousA != firstB &&
-    !AreUnfolded(place, this->GetPlace(previousA), this->GetPlace(firstA), this->GetPlace(firstB));
+  return ring.LastB != None && ring.LastB == ring.FirstA && ring.LastA != ring.FirstB &&
+    AreFolded(ring.LastNormal, ring.FirstNormal);
+}
+
+bool vtkMTCollapseRegion::IsTurned(const Vector& before, const Vector& after)
+{
+  return !(Dot(before, after) > 0.0) && before != Vector{ 0.0, 0.0, 0.0 };
 }
 
 // The triangle across a link edge stays where it is, unless it is one of those around the edge itself.
-bool vtkMTCollapseRegion::FoldsAtLink(Halfedge h, Halfedge link, const Point& place) const
+bool vtkMTCollapseRegion::FoldsAtLink(std::uint32_t h, std::uint32_t link, const Vector& normal) const
 {
-  const Mesh& m = this->Surface;
-  const Halfedge outer = m.opposite(link);
-  if (m.is_border(outer))
+  const vtkMTCollapseMesh& m = this->Mesh;
+  const std::uint32_t outer = link ^ 1;
+  if (m.IsBorder(outer))
   {
     return false;
   }
-  const Vertex w = m.target(m.next(outer));
-  return w != m.source(h) && w != m.target(h) &&
-    !AreUnfolded(this->GetPlace(m.target(outer)), this->GetPlace(w), this->GetPlace(m.target(link)), place);
+  const std::uint32_t w = m.GetTarget(m.GetNext(outer));
+  const Vector& a = m.GetPlace(m.GetTarget(outer));
+  return w != m.GetSource(h) && w != m.GetTarget(h) &&
+    AreFolded(Cross(Subtract(m.GetPlace(w), a), Subtract(m.GetPlace(m.GetTarget(link)), a)), normal);
 }
 
-void vtkMTCollapseRegion::MarkNeighbours(Vertex v) const
+void vtkMTCollapseRegion::MarkNeighbours(std::uint32_t v) const
 {
   if (++this->Mark == 0)
   {
     std::fill(this->Marks.begin(), this->Marks.end(), 0u);
     this->Mark = 1;
   }
-  const Halfedge begin = this->Surface.opposite(this->Surface.halfedge(v));
-  Halfedge h = begin;
+  const std::uint32_t begin = this->Mesh.Outs[v];
+  std::uint32_t h = begin;
   do
   {
-    this->Marks[this->Surface.target(h).idx()] = this->Mark;
-    h = this->GetNextOut(h);
+    this->Marks[this->Mesh.GetTarget(h)] = this->Mark;
+    h = this->Mesh.GetNextOut(h);
   } while (h != begin);
 }
 
-bool vtkMTCollapseRegion::SatisfiesLink(Halfedge h) const
+bool vtkMTCollapseRegion::SatisfiesLink(std::uint32_t h) const
 {
-  const Mesh& m = this->Surface;
-  const Halfedge o = m.opposite(h);
+  const vtkMTCollapseMesh& m = this->Mesh;
+  const std::uint32_t o = h ^ 1;
   bool border = false;
   int common = 0; // neighbours that both may have
-  for (const Halfedge side : { h, o })
+  for (const std::uint32_t side : { h, o })
   {
-    if (m.is_border(side))
+    if (m.IsBorder(side))
     {
       border = true;
       // A hole of three edges would close to a double edge.
-      if (m.next(m.next(m.next(side))) == side)
+      if (m.GetNext(m.GetNext(m.GetNext(side))) == side)
       {
         return false;
       }
       continue;
     }
     ++common;
-    if (m.is_border(m.opposite(m.next(side))) && m.is_border(m.opposite(m.prev(side))))
+    if (m.IsBorder(m.GetNext(side) ^ 1) && m.IsBorder(m.GetPrevious(side) ^ 1))
     {
       return false;
     }
   }
-  this->MarkNeighbours(m.target(h));
+  this->MarkNeighbours(m.GetTarget(h));
   bool border0 = false;
-  Halfedge out = h;
+  std::uint32_t out = h;
   do
   {
-    border0 = border0 || m.is_border(out);
-    common -= this->Marks[m.target(out).idx()] == this->Mark ? 1 : 0;
-    out = this->GetNextOut(out);
+    border0 = border0 || m.IsBorder(out);
+    common -= this->Marks[m.GetTarget(out)] == this->Mark ? 1 : 0;
+    out = this->Mesh.GetNextOut(out);
   } while (out != h);
   // The third vertices of the edge's triangles are always common.
-  return common == 0 && (border || !border0 || !m.is_border(m.target(h))) && !CGAL::is_tetrahedron(h, m);
+  return common == 0 && (border || !border0 || !m.IsBorderVertex(m.GetTarget(h))) && !this->IsTetrahedron(h);
+}
+
+// A closed piece of four triangles.
+bool vtkMTCollapseRegion::IsTetrahedron(std::uint32_t h) const
+{
+  const vtkMTCollapseMesh& m = this->Mesh;
+  const std::uint32_t apex = m.GetTarget(m.GetNext(h ^ 1));
+  for (const std::uint32_t side : { h, m.GetNext(h), m.GetPrevious(h) })
+  {
+    if (m.IsBorderEdge(side) || m.GetTarget(m.GetNext(side ^ 1)) != apex)
+    {
+      return false;
+    }
+    // Three triangles at the apex, no more.
+    const std::uint32_t up = m.GetPrevious(side ^ 1);
+    if (m.GetNextOut(m.GetNextOut(m.GetNextOut(up))) != up)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 void vtkMTCollapseRegion::CountBlocked(std::map<std::string, std::int64_t>& blocked) const
 {
-  for (const Edge e : this->Surface.edges())
+  for (std::uint32_t e = 0; e < this->Mesh.GetNumberOfEdges(); ++e)
   {
-    ++blocked[this->GetCause(this->Surface.halfedge(e))];
+    if (this->Mesh.IsEdge(e))
+    {
+      ++blocked[this->GetCause(2 * e)];
+    }
   }
 }
 
-const char* vtkMTCollapseRegion::GetCause(Halfedge h) const
+const char* vtkMTCollapseRegion::GetCause(std::uint32_t h) const
 {
   const Rule rule = this->GetRule(h);
   if (rule == Rule::Refused)
@@ -332,10 +343,10 @@ const char* vtkMTCollapseRegion::GetCause(Halfedge h) const
   return this->Steps > this->StepLimit ? "steps" : "fold";
 }
 
-const char* vtkMTCollapseRegion::GetCauseOfRanks(Halfedge h) const
+const char* vtkMTCollapseRegion::GetCauseOfRanks(std::uint32_t h) const
 {
-  const VertexState& s0 = this->GetState(this->Surface.source(h));
-  const VertexState& s1 = this->GetState(this->Surface.target(h));
+  const VertexState& s0 = this->GetState(this->Mesh.GetSource(h));
+  const VertexState& s1 = this->GetState(this->Mesh.GetTarget(h));
   if (s0.Rank == Border || s1.Rank == Border)
   {
     return "topology";

@@ -96,7 +96,8 @@ bool vtkMTEdgeCollapse::SimplifyOrThrow(const vtkMTPatch& floor, const std::vect
   }
   vtkMTCollapseRegion region(floor, fans);
   region.Target = target;
-  region.StepLimit = static_cast<std::uint64_t>(this->StepsPerEdge) * (region.Surface.number_of_edges() + 1);
+  region.StepLimit =
+    static_cast<std::uint64_t>(this->StepsPerEdge) * (region.Mesh.GetNumberOfEdges() + std::uint64_t(1));
   fans = {};
   const double smallPart = this->ComponentBound * GetDiagonal(floor.GetBox());
   if (!this->Collapse(region, smallPart, error))
@@ -132,7 +133,7 @@ bool vtkMTEdgeCollapse::Collapse(vtkMTCollapseRegion& region, double largestHole
   catch (const vtkMTCollapseRegion::StepLimitReached& e)
   {
     // Steps are counted between collapses, so the mesh is whole, unless the endless loop has its cause in the mesh.
-    if (!region.Surface.is_valid(false))
+    if (!region.Mesh.IsValid())
     {
       error = e.what();
       return false;

@@ -23,9 +23,9 @@ Cost Finite(const Cost& cost)
 class LindstromTurk
 {
 public:
-  explicit LindstromTurk(Region& region)
-    : R(&region)
-    , HasBorder(!CGAL::is_closed(region.Surface))
+  explicit LindstromTurk(Surface& mesh)
+    : M(&mesh)
+    , HasBorder(!CGAL::is_closed(mesh))
   {
   }
   template <class Profile>
@@ -40,29 +40,29 @@ public:
   }
 
 private:
-  using PointMap = Region::Mesh::Property_map<Region::Vertex, Point>;
-  using KernelProfile = SMS::Edge_profile<Region::Mesh, PointMap, Region::Kernel>;
+  using PointMap = Surface::Property_map<vtkMTCgalMesh::Vertex, Point>;
+  using KernelProfile = SMS::Edge_profile<Surface, PointMap, vtkMTCgalMesh::Kernel>;
 
   template <class Profile>
   KernelProfile MakeProfile(const Profile& profile) const
   {
-    Region::Mesh& mesh = this->R->Surface;
+    Surface& mesh = *this->M;
     return KernelProfile(profile.v0_v1(), mesh, this->Kernel, CGAL::get(boost::vertex_index, mesh), mesh.points(),
       CGAL::get(boost::halfedge_index, mesh), this->HasBorder);
   }
 
-  Region* R;
+  Surface* M;
   bool HasBorder;
-  Region::Kernel Kernel;
-  SMS::LindstromTurk_cost<Region::Mesh> C;
-  SMS::LindstromTurk_placement<Region::Mesh> P;
+  vtkMTCgalMesh::Kernel Kernel;
+  SMS::LindstromTurk_cost<Surface> C;
+  SMS::LindstromTurk_placement<Surface> P;
 };
 
 class GarlandHeckbert
 {
 public:
-  explicit GarlandHeckbert(Region& region)
-    : Policies(region.Surface)
+  explicit GarlandHeckbert(Surface& mesh)
+    : Policies(mesh)
   {
   }
   template <class Profile>
@@ -75,7 +75,7 @@ public:
   {
     return this->Policies(profile);
   }
-  const SMS::GarlandHeckbert_plane_policies<Region::Mesh, Traits> Policies;
+  const SMS::GarlandHeckbert_plane_policies<Surface, Traits> Policies;
 };
 
 /// CGAL's policies where the rule leaves the place open; what is not finite (triangles without area) becomes the
@@ -108,7 +108,7 @@ struct ClassicMode
     }
     const Place place = this->P->GetPlace(profile);
     const bool finite = place && std::isfinite(place->x() + place->y() + place->z());
-    return this->R->Snap(finite ? *place : CGAL::midpoint(p0, p1));
+    return vtkMTCgalMesh::ToPoint(this->R->Snap(vtkMTCgalMesh::ToVector(finite ? *place : CGAL::midpoint(p0, p1))));
   }
 };
 
@@ -134,7 +134,7 @@ struct GarlandHeckbertCost : public ClassicCost<GarlandHeckbert>
     this->P->Policies.initialize(mesh, points, traits);
   }
   template <class Profile>
-  void update_after_collapse(const Profile& profile, Region::Vertex kept) const
+  void update_after_collapse(const Profile& profile, vtkMTCgalMesh::Vertex kept) const
   {
     this->P->Policies.update_after_collapse(profile, kept);
   }
@@ -143,12 +143,16 @@ struct GarlandHeckbertCost : public ClassicCost<GarlandHeckbert>
 
 void vtkMTCollapse::RunLindstromTurk(Region& region)
 {
-  const LindstromTurk policy(region);
-  Run<Traits>(region, ClassicMode<LindstromTurk>{ &region, &policy }, ClassicCost<LindstromTurk>{ &region, &policy });
+  vtkMTCgalMesh mesh(region.Mesh);
+  const LindstromTurk policy(mesh.Mesh);
+  Run<Traits>(
+    region, mesh, ClassicMode<LindstromTurk>{ &region, &policy }, ClassicCost<LindstromTurk>{ &region, &policy });
 }
 
 void vtkMTCollapse::RunGarlandHeckbert(Region& region)
 {
-  const GarlandHeckbert policy(region);
-  Run<Traits>(region, ClassicMode<GarlandHeckbert>{ &region, &policy }, GarlandHeckbertCost{ { &region, &policy } });
+  vtkMTCgalMesh mesh(region.Mesh);
+  const GarlandHeckbert policy(mesh.Mesh);
+  Run<Traits>(
+    region, mesh, ClassicMode<GarlandHeckbert>{ &region, &policy }, GarlandHeckbertCost{ { &region, &policy } });
 }

@@ -1,10 +1,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memoryless quadrics with costs asked again on the 1-ring.
+// Memoryless quadrics in a loop of the project's own.
 #include "vtkMTCollapseModes.h"
-#include "vtkMTRingUpdate.h"
+#include "vtkMTCollapseRegion.h"
+#include "vtkMTEdgeQueue.h"
+#include "vtkMTQuadrics.h"
 
-void vtkMTCollapse::RunFast(Region& region)
+namespace
 {
-  vtkMTQuadrics quadrics(region);
-  Run<FastTraits>(region, QuadricMode{ &quadrics }, QuadricCost{ &region, &quadrics });
+/**
+ * The cheapest edge is collapsed until the target is reached. After a collapse the costs of the edges at the kept
+ * vertex are asked again; the quadrics at their other ends have changed too, so an edge that comes to the top of the
+ * queue is looked at once more, and goes back when it has become dearer than the next one. An edge that may not be
+ * collapsed leaves the queue until a collapse at one of its ends brings it back.
+ */
+class FastCollapse
+{
+public:
+  explicit FastCollapse(vtkMTCollapseRegion& region)
+    : R(region)
+    , Mesh(region.Mesh)
+    , Quadrics(region)
+    , Queue(region.Mesh.GetNumberOfEdges())
+  {
+  }
+
+  void Run()
+  {
+    this->Quadrics.Initialize();
+    for (std::uint32_t e = 0; e < this->Mesh.GetNumberOfEdges(); ++e)
+    {
+      if (this->Mesh.IsEdge(e))
+      {
+        this->Offer(2 * e);
+      }
+    }
+    while (this->R.Faces > this->R.Target)
+    {
+      const std::uint32_t edge = this->Queue.Take();
+      if (edge == vtkMTEdgeQueue::None)
+      {
+        return;
+      }
+      this->Try(2 * edge);
+    }
+  }
+
+private:
+  // Puts the edge in the queue with its present cost, if it may be collapsed at all.
+  void Offer(std::uint32_t h)
+  {
+    const vtkMTCollapseRegion::Rule rule = this->R.GetRule(h);
+    if (rule == vtkMTCollapseRegion::Rule::Refused)
+    {
+      this->Queue.Withdraw(h / 2);
+      return;
+    }
+    this->R.Step();
+    this->Queue.Put(h / 2, this->Quadrics.Propose(h, rule).Cost);
+  }
+
+  void Try(std::uint32_t h)
+  {
+    this->R.Step();
+    const vtkMTCollapseRegion::Rule rule = this->R.GetRule(h);
+    if (rule == vtkMTCollapseRegion::Rule::Refused || !this->R.SatisfiesLink(h))
+    {
+      return;
+    }
+    const vtkMTQuadrics::Proposal now = this->Quadrics.Propose(h, rule);
+    if (!this->Queue.IsNext(now.Cost))
+    {
+      this->Queue.Put(h / 2, now.Cost);
+    }
+    else if (!this->R.MakesChord(h, rule) && !this->R.MakesDoubleEdge(h) && !this->R.SpoilsShape(h, now.Place))
+    {
+      this->Collapse(h, now.Place);
+    }
+  }
+
+  void Collapse(std::uint32_t h, const vtkMTQuadrics::Vector& place)
+  {
+    for (const std::uint32_t side : { h, h ^ 1 })
+    {
+      // Edges that disappear; which one of a triangle stays, the collapse decides.
+      this->Queue.Withdraw(this->Mesh.GetNext(side) / 2);
+      this->Queue.Withdraw(this->Mesh.GetPrevious(side) / 2);
+    }
+    const std::uint32_t kept = this->R.Collapse(h, place);
+    this->Quadrics.Update(kept);
+    const std::uint32_t begin = this->Mesh.Outs[kept];
+    std::uint32_t out = begin;
+    do
+    {
+      this->Offer(out);
+      out = this->Mesh.GetNextOut(out);
+    } while (out != begin);
+  }
+
+  vtkMTCollapseRegion& R;
+  vtkMTCollapseMesh& Mesh;
+  vtkMTQuadrics Quadrics;
+  vtkMTEdgeQueue Queue;
+};
+}
+
+void vtkMTCollapse::RunFast(vtkMTCollapseRegion& region)
+{
+  FastCollapse(region).Run();
 }

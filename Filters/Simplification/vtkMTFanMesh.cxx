@@ -36,8 +36,9 @@ bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
   }
   const std::size_t wedges = floor.GetNumberOfWedges();
   const std::size_t points = floor.Points.size();
-  this->Vertex.reserve(3 * triangles);
-  this->Wedge.reserve(3 * triangles);
+  this->Vertex.resize(3 * triangles);
+  this->Wedge.resize(3 * triangles);
+  std::size_t corners = 0;
   for (std::size_t t = 0; t < triangles; ++t)
   {
     const vtkMTTriangle& w = floor.Triangles[t];
@@ -56,9 +57,12 @@ bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
     {
       continue;
     }
-    this->Vertex.insert(this->Vertex.end(), p.begin(), p.end());
-    this->Wedge.insert(this->Wedge.end(), w.begin(), w.end());
+    std::copy(p.begin(), p.end(), this->Vertex.begin() + static_cast<std::ptrdiff_t>(corners));
+    std::copy(w.begin(), w.end(), this->Wedge.begin() + static_cast<std::ptrdiff_t>(corners));
+    corners += 3;
   }
+  this->Vertex.resize(corners);
+  this->Wedge.resize(corners);
   return true;
 }
 

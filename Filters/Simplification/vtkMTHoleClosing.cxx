@@ -3,23 +3,21 @@
 // with voids could not get below a few triangles for each of them.
 #include "vtkMTCollapseRegion.h"
 
-#include <CGAL/boost/graph/Euler_operations.h>
-
 #include <algorithm>
 #include <cmath>
 
 std::size_t vtkMTCollapseRegion::CloseHoles(double maximumDiagonal)
 {
   std::size_t closed = 0;
-  std::vector<Halfedge> holes;
-  for (const Halfedge h : this->Surface.halfedges())
+  std::vector<std::uint32_t> holes;
+  for (std::uint32_t h = 0; h < this->Mesh.Halfedges.size(); ++h)
   {
     if (this->IsClosableHole(h, maximumDiagonal))
     {
       holes.push_back(h);
     }
   }
-  for (const Halfedge h : holes)
+  for (const std::uint32_t h : holes)
   {
     // A hole that is next to one just closed may have become the open side of a closed component.
     if (this->IsClosableHole(h, maximumDiagonal))
@@ -32,15 +30,15 @@ std::size_t vtkMTCollapseRegion::CloseHoles(double maximumDiagonal)
 }
 
 // Whether three border edges, of which h has the smallest index, are a hole between free points.
-bool vtkMTCollapseRegion::IsClosableHole(Halfedge h, double maximumDiagonal) const
+bool vtkMTCollapseRegion::IsClosableHole(std::uint32_t h, double maximumDiagonal) const
 {
-  const Mesh& m = this->Surface;
-  if (m.is_removed(h) || !m.is_border(h))
+  const vtkMTCollapseMesh& m = this->Mesh;
+  if (!m.IsEdge(h / 2) || !m.IsBorder(h))
   {
     return false;
   }
-  const std::array<Halfedge, 3> loop{ h, m.next(h), m.next(m.next(h)) };
-  if (m.next(loop[2]) != h || loop[1] < h || loop[2] < h)
+  const std::array<std::uint32_t, 3> loop{ h, m.GetNext(h), m.GetNext(m.GetNext(h)) };
+  if (m.GetNext(loop[2]) != h || loop[1] < h || loop[2] < h)
   {
     return false;
   }
@@ -48,23 +46,23 @@ bool vtkMTCollapseRegion::IsClosableHole(Halfedge h, double maximumDiagonal) con
   double high[3];
   for (int i = 0; i < 3; ++i)
   {
-    low[i] = high[i] = this->GetPlace(m.target(h))[i];
+    low[i] = high[i] = this->Mesh.GetPlace(m.GetTarget(h))[i];
   }
   for (std::size_t e = 0; e < 3; ++e)
   {
-    if (this->GetState(m.target(loop[e])).Rank != Border)
+    if (this->GetState(m.GetTarget(loop[e])).Rank != Border)
     {
       return false;
     }
     // The triangle behind the edge must not be the hole's own twin: that would make two triangles back to back.
-    if (m.target(m.next(m.opposite(loop[e]))) == m.target(loop[(e + 1) % 3]))
+    if (m.GetTarget(m.GetNext(loop[e] ^ 1)) == m.GetTarget(loop[(e + 1) % 3]))
     {
       return false;
     }
     for (int i = 0; i < 3; ++i)
     {
-      low[i] = std::min(low[i], this->GetPlace(m.target(loop[e]))[i]);
-      high[i] = std::max(high[i], this->GetPlace(m.target(loop[e]))[i]);
+      low[i] = std::min(low[i], this->Mesh.GetPlace(m.GetTarget(loop[e]))[i]);
+      high[i] = std::max(high[i], this->Mesh.GetPlace(m.GetTarget(loop[e]))[i]);
     }
   }
   const double diagonal =
@@ -72,19 +70,19 @@ bool vtkMTCollapseRegion::IsClosableHole(Halfedge h, double maximumDiagonal) con
   return diagonal * this->Scale <= maximumDiagonal;
 }
 
-void vtkMTCollapseRegion::CloseHole(Halfedge h)
+void vtkMTCollapseRegion::CloseHole(std::uint32_t h)
 {
-  Mesh& m = this->Surface;
-  const std::array<Halfedge, 3> loop{ h, m.next(h), m.next(m.next(h)) };
+  const vtkMTCollapseMesh& m = this->Mesh;
+  const std::array<std::uint32_t, 3> loop{ h, m.GetNext(h), m.GetNext(m.GetNext(h)) };
   for (std::size_t e = 0; e < 3; ++e)
   {
     if (this->Seams)
     {
       // A border point has one wedge: that of its corner in the triangle behind the next edge.
-      this->HalfedgeWedges[loop[e]] = this->HalfedgeWedges[m.opposite(loop[(e + 1) % 3])];
+      this->Mesh.Wedges[loop[e]] = this->Mesh.Wedges[loop[(e + 1) % 3] ^ 1];
     }
-    this->States[m.target(loop[e]).idx()].Rank = Plain;
+    this->States[m.GetTarget(loop[e])].Rank = Plain;
   }
-  CGAL::Euler::fill_hole(h, m);
+  this->Mesh.FillHole(h);
   ++this->Faces;
 }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+using namespace vtkMTVector;
+
 namespace
 {
 constexpr double Regularisation = 1e-4; // of the trace, towards the midpoint
@@ -10,183 +12,165 @@ constexpr double LengthTerm = 1e-6;     // of the trace times the squared length
 constexpr double CurveWeight = 4.0;     // of the planes along borders and seams, times the squared length of their edge
 }
 
-void vtkMTQuadrics::Quadric::AddPlane(const std::array<double, 4>& g)
+double vtkMTQuadrics::Quadric::Evaluate(const Vector& p) const
 {
-  this->A[0] += g[0] * g[0];
-  this->A[1] += g[0] * g[1];
-  this->A[2] += g[0] * g[2];
-  this->A[3] += g[1] * g[1];
-  this->A[4] += g[1] * g[2];
-  this->A[5] += g[2] * g[2];
-  this->B[0] += g[0] * g[3];
-  this->B[1] += g[1] * g[3];
-  this->B[2] += g[2] * g[3];
-  this->C += g[3] * g[3];
+  const double x = p[0];
+  const double y = p[1];
+  const double z = p[2];
+  return x * (this->V[0] * x + 2.0 * (this->V[1] * y + this->V[2] * z + this->V[6])) +
+    y * (this->V[3] * y + 2.0 * (this->V[4] * z + this->V[7])) + z * (this->V[5] * z + 2.0 * this->V[8]) + this->V[9];
 }
 
-double vtkMTQuadrics::Quadric::Evaluate(const Point& p) const
+// Squared distance to a plane times the squared length of its normal.
+vtkMTQuadrics::Quadric vtkMTQuadrics::MakePlaneQuadric(const Vector& n, const Vector& on)
 {
-  const double x = p.x();
-  const double y = p.y();
-  const double z = p.z();
-  return x * (this->A[0] * x + 2.0 * (this->A[1] * y + this->A[2] * z + this->B[0])) +
-    y * (this->A[3] * y + 2.0 * (this->A[4] * z + this->B[1])) + z * (this->A[5] * z + 2.0 * this->B[2]) + this->C;
+  const double d = -Dot(n, on);
+  return { { n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2], n[0] * d, n[1] * d, n[2] * d,
+    d * d } };
 }
 
 void vtkMTQuadrics::Initialize()
 {
-  this->SumOf = Region::Halfedge();
-  const Region::Mesh& m = this->R.Surface;
-  this->Planes.resize(m.num_faces());
-  this->Quadrics.resize(m.num_vertices());
-  for (const Region::Face f : m.faces())
+  const vtkMTCollapseMesh& m = this->R.Mesh;
+  this->FaceQuadrics.resize(m.Faces.size());
+  this->Quadrics.resize(m.Outs.size());
+  for (const std::uint32_t h : m.Faces)
   {
-    this->MakePlane(f);
+    if (h != vtkMTCollapseMesh::None)
+    {
+      this->MakeFaceQuadric(h);
+    }
   }
-  for (const Region::Vertex v : m.vertices())
+  for (std::uint32_t v = 0; v < m.Outs.size(); ++v)
   {
-    this->MakeQuadric(v);
+    if (m.Outs[v] != vtkMTCollapseMesh::None)
+    {
+      this->MakeQuadric(v);
+    }
   }
 }
 
-void vtkMTQuadrics::Update(Region::Vertex kept)
+void vtkMTQuadrics::Update(std::uint32_t kept)
 {
-  this->SumOf = Region::Halfedge();
-  const Region::Mesh& m = this->R.Surface;
-  const Region::Halfedge begin = m.opposite(m.halfedge(kept));
-  Region::Halfedge h = begin;
+  const vtkMTCollapseMesh& m = this->R.Mesh;
+  const std::uint32_t begin = m.Outs[kept];
+  std::uint32_t h = begin;
   do
   {
-    if (!m.is_border(h))
+    if (!m.IsBorder(h))
     {
-      this->MakePlane(m.face(h));
+      this->MakeFaceQuadric(h);
     }
-    h = this->R.GetNextOut(h);
+    h = m.GetNextOut(h);
   } while (h != begin);
   this->MakeQuadric(kept);
   do
   {
-    this->MakeQuadric(m.target(h));
-    h = this->R.GetNextOut(h);
+    this->MakeQuadric(m.GetTarget(h));
+    h = m.GetNextOut(h);
   } while (h != begin);
 }
 
-void vtkMTQuadrics::MakePlane(Region::Face f)
+// Of the half-edge's face, weighted by its area.
+void vtkMTQuadrics::MakeFaceQuadric(std::uint32_t h)
 {
-  const Region::Mesh& m = this->R.Surface;
-  const Region::Halfedge h = m.halfedge(f);
-  const Point& p = m.point(m.target(h));
-  const Region::Vector n = CGAL::cross_product(m.point(m.target(m.next(h))) - p, m.point(m.source(h)) - p);
-  const double length = std::sqrt(n.squared_length()); // twice the area
+  const vtkMTCollapseMesh& m = this->R.Mesh;
+  const Vector& p = m.GetPlace(m.GetTarget(h));
+  const Vector n = Cross(Subtract(m.GetPlace(m.GetTarget(m.GetNext(h))), p), Subtract(m.GetPlace(m.GetSource(h)), p));
+  const double length = Norm(n); // twice the area
   const double factor = length > 0.0 ? 1.0 / std::sqrt(2.0 * length) : 0.0;
-  const double x = n.x() * factor;
-  const double y = n.y() * factor;
-  const double z = n.z() * factor;
-  this->Planes[f.idx()] = { x, y, z, -(x * p.x() + y * p.y() + z * p.z()) };
+  this->FaceQuadrics[m.GetFace(h)] = MakePlaneQuadric(Scale(n, factor), p);
 }
 
-void vtkMTQuadrics::MakeQuadric(Region::Vertex v)
+void vtkMTQuadrics::MakeQuadric(std::uint32_t v)
 {
-  const Region::Mesh& m = this->R.Surface;
+  const vtkMTCollapseMesh& m = this->R.Mesh;
   Quadric q;
-  const Region::Halfedge begin = m.opposite(m.halfedge(v));
-  Region::Halfedge h = begin;
+  const std::uint32_t begin = m.Outs[v];
+  std::uint32_t h = begin;
   do
   {
-    if (!m.is_border(h))
+    if (!m.IsBorder(h))
     {
-      q.AddPlane(this->Planes[m.face(h).idx()]);
+      q.Add(this->FaceQuadrics[m.GetFace(h)]);
     }
-    h = this->R.GetNextOut(h);
+    h = m.GetNextOut(h);
   } while (h != begin);
   const unsigned char rank = this->R.GetState(v).Rank;
-  if (rank == Region::Border || rank == Region::Seam)
+  if (rank == vtkMTCollapseRegion::Border || rank == vtkMTCollapseRegion::Seam)
   {
-    this->AddCurvePlanes(v, q);
+    this->AddCurveQuadrics(v, q);
   }
-  this->Quadrics[v.idx()] = q;
+  this->Quadrics[v] = q;
 }
 
-void vtkMTQuadrics::AddCurvePlanes(Region::Vertex v, Quadric& q) const
+void vtkMTQuadrics::AddCurveQuadrics(std::uint32_t v, Quadric& q) const
 {
-  const Region::Mesh& m = this->R.Surface;
-  const Point& p = m.point(v);
-  const Region::Halfedge begin = m.opposite(m.halfedge(v));
-  Region::Halfedge h = begin;
+  const vtkMTCollapseMesh& m = this->R.Mesh;
+  const Vector& p = m.GetPlace(v);
+  const std::uint32_t begin = m.Outs[v];
+  std::uint32_t h = begin;
   do
   {
-    const Region::Vector d = m.point(m.target(h)) - p;
-    const bool border = this->R.IsBorderEdge(h);
-    for (const Region::Halfedge side : { h, m.opposite(h) })
+    const Vector d = Subtract(m.GetPlace(m.GetTarget(h)), p);
+    const bool border = m.IsBorderEdge(h);
+    for (const std::uint32_t side : { h, h ^ 1 })
     {
-      if (m.is_border(side) || (!border && !this->R.IsSeamEdge(h)))
+      if (m.IsBorder(side) || (!border && !this->R.IsSeamEdge(h)))
       {
         continue;
       }
-      const Plane& face = this->Planes[m.face(side).idx()];
-      const Region::Vector n = CGAL::cross_product(d, Region::Vector(face[0], face[1], face[2]));
-      const double length = std::sqrt(n.squared_length());
-      const double factor = length > 0.0 ? std::sqrt(CurveWeight * d.squared_length()) / length : 0.0;
-      const Region::Vector g = factor * n;
-      q.AddPlane({ g.x(), g.y(), g.z(), -(g.x() * p.x() + g.y() * p.y() + g.z() * p.z()) });
+      const Vector across = Subtract(m.GetPlace(m.GetTarget(m.GetNext(side))), p);
+      const Vector n = Cross(d, Cross(d, across)); // of the plane through the edge, at right angles to the face
+      const double length = Norm(n);
+      q.Add(MakePlaneQuadric(Scale(n, length > 0.0 ? std::sqrt(CurveWeight * Dot(d, d)) / length : 0.0), p));
     }
-    h = this->R.GetNextOut(h);
+    h = m.GetNextOut(h);
   } while (h != begin);
 }
 
-const vtkMTQuadrics::Quadric& vtkMTQuadrics::GetSum(Region::Halfedge h) const
+vtkMTQuadrics::Quadric vtkMTQuadrics::GetSum(std::uint32_t h) const
 {
-  if (h == this->SumOf)
-  {
-    return this->Sum;
-  }
-  this->SumOf = h;
-  const Quadric& a = this->Quadrics[this->R.Surface.source(h).idx()];
-  const Quadric& b = this->Quadrics[this->R.Surface.target(h).idx()];
-  for (int i = 0; i < 6; ++i)
-  {
-    this->Sum.A[i] = a.A[i] + b.A[i];
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    this->Sum.B[i] = a.B[i] + b.B[i];
-  }
-  this->Sum.C = a.C + b.C;
-  return this->Sum;
+  Quadric sum = this->Quadrics[this->R.Mesh.GetSource(h)];
+  sum.Add(this->Quadrics[this->R.Mesh.GetTarget(h)]);
+  return sum;
 }
 
-vtkMTQuadrics::Point vtkMTQuadrics::GetPlace(Region::Halfedge h, Region::Rule rule) const
+vtkMTQuadrics::Proposal vtkMTQuadrics::Propose(std::uint32_t h, Rule rule) const
 {
-  const Point& p0 = this->R.GetPlace(this->R.Surface.source(h));
-  const Point& p1 = this->R.GetPlace(this->R.Surface.target(h));
+  const Vector& p0 = this->R.Mesh.GetPlace(this->R.Mesh.GetSource(h));
+  const Vector& p1 = this->R.Mesh.GetPlace(this->R.Mesh.GetTarget(h));
+  const Quadric q = this->GetSum(h);
+  Vector place;
   switch (rule)
   {
-    case Region::Rule::First:
-      return p0;
-    case Region::Rule::Second:
-      return p1;
-    case Region::Rule::Ends:
-    {
-      const Quadric& q = this->GetSum(h);
-      return q.Evaluate(p0) <= q.Evaluate(p1) ? p0 : p1;
-    }
+    case Rule::First:
+      place = p0;
+      break;
+    case Rule::Second:
+      place = p1;
+      break;
+    case Rule::Ends:
+      place = q.Evaluate(p0) <= q.Evaluate(p1) ? p0 : p1;
+      break;
     default:
+      place = this->R.Snap(Minimize(q, Scale(Add(p0, p1), 0.5)));
       break;
   }
-  return this->R.Snap(Minimize(this->GetSum(h), CGAL::midpoint(p0, p1)));
+  return { place, this->GetCost(q, h, place) };
 }
 
 // Solves (A + r I) y = -(A m + b) by cofactors, then refines once against A itself, which squares what r takes away
 // from directions that A determines (corners stay corners to the last digit) and leaves the others at the midpoint m.
-vtkMTQuadrics::Point vtkMTQuadrics::Minimize(const Quadric& q, const Point& m)
+vtkMTQuadrics::Vector vtkMTQuadrics::Minimize(const Quadric& q, const Vector& m)
 {
   const double r = Regularisation * q.GetTrace();
-  const double a = q.A[0] + r;
-  const double b = q.A[1];
-  const double c = q.A[2];
-  const double d = q.A[3] + r;
-  const double e = q.A[4];
-  const double f = q.A[5] + r;
+  const double a = q.V[0] + r;
+  const double b = q.V[1];
+  const double c = q.V[2];
+  const double d = q.V[3] + r;
+  const double e = q.V[4];
+  const double f = q.V[5] + r;
   const double c00 = d * f - e * e;
   const double c01 = c * e - b * f;
   const double c02 = b * e - c * d;
@@ -199,23 +183,26 @@ vtkMTQuadrics::Point vtkMTQuadrics::Minimize(const Quadric& q, const Point& m)
   const double c11 = a * f - c * c;
   const double c12 = b * c - a * e;
   const double c22 = a * d - b * b;
-  Point p = m;
+  Vector p = m;
   for (int i = 0; i < 2; ++i)
   {
-    const double x = -s * (q.A[0] * p.x() + b * p.y() + c * p.z() + q.B[0]);
-    const double y = -s * (b * p.x() + q.A[3] * p.y() + e * p.z() + q.B[1]);
-    const double z = -s * (c * p.x() + e * p.y() + q.A[5] * p.z() + q.B[2]);
-    p = Point(p.x() + (c00 * x + c01 * y + c02 * z), p.y() + (c01 * x + c11 * y + c12 * z),
-      p.z() + (c02 * x + c12 * y + c22 * z));
+    const double x = -s * (q.V[0] * p[0] + b * p[1] + c * p[2] + q.V[6]);
+    const double y = -s * (b * p[0] + q.V[3] * p[1] + e * p[2] + q.V[7]);
+    const double z = -s * (c * p[0] + e * p[1] + q.V[5] * p[2] + q.V[8]);
+    p = { p[0] + (c00 * x + c01 * y + c02 * z), p[1] + (c01 * x + c11 * y + c12 * z),
+      p[2] + (c02 * x + c12 * y + c22 * z) };
   }
-  return std::isfinite(p.x() + p.y() + p.z()) ? p : m;
+  return std::isfinite(p[0] + p[1] + p[2]) ? p : m;
 }
 
-double vtkMTQuadrics::GetCost(Region::Halfedge h, const Point& place) const
+double vtkMTQuadrics::GetCost(const Quadric& q, std::uint32_t h, const Vector& place) const
 {
-  const Quadric& q = this->GetSum(h);
-  const Point& p0 = this->R.GetPlace(this->R.Surface.source(h));
-  const Point& p1 = this->R.GetPlace(this->R.Surface.target(h));
-  const double trace = q.GetTrace();
-  return q.Evaluate(place) + trace * LengthTerm * (p1 - p0).squared_length();
+  const Vector along =
+    Subtract(this->R.Mesh.GetPlace(this->R.Mesh.GetTarget(h)), this->R.Mesh.GetPlace(this->R.Mesh.GetSource(h)));
+  return q.Evaluate(place) + q.GetTrace() * LengthTerm * Dot(along, along);
+}
+
+double vtkMTQuadrics::GetCost(std::uint32_t h, const Vector& place) const
+{
+  return this->GetCost(this->GetSum(h), h, place);
 }

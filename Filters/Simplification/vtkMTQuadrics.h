@@ -22,50 +22,57 @@
 class vtkMTQuadrics
 {
 public:
-  using Region = vtkMTCollapseRegion;
-  using Point = Region::Point;
+  using Vector = vtkMTCollapseRegion::Vector;
+  using Rule = vtkMTCollapseRegion::Rule;
+
+  struct Proposal
+  {
+    Vector Place;
+    double Cost;
+  };
 
   explicit vtkMTQuadrics(const vtkMTCollapseRegion& region)
     : R(region)
   {
   }
 
-  /// The best place for a collapse under the rule; not for Rule::Refused.
-  Point GetPlace(Region::Halfedge h, Region::Rule rule) const;
-  double GetCost(Region::Halfedge h, const Point& place) const;
-
   /// All quadrics.
   void Initialize();
   /// Those that the collapse into this vertex has changed.
-  void Update(Region::Vertex kept);
+  void Update(std::uint32_t kept);
+
+  /// The best place for a collapse under the rule, and what it costs; not for Rule::Refused.
+  Proposal Propose(std::uint32_t h, Rule rule) const;
+  double GetCost(std::uint32_t h, const Vector& place) const;
 
 private:
-  // A symmetric matrix (xx xy xz yy yz zz), a vector and a number: x' A x + 2 b' x + c.
+  // x' A x + 2 b' x + c: the symmetric matrix A (xx xy xz yy yz zz), the vector b, the number c.
   struct Quadric
   {
-    std::array<double, 6> A{};
-    std::array<double, 3> B{};
-    double C = 0.0;
+    std::array<double, 10> V{};
 
-    void AddPlane(const std::array<double, 4>& g);
-    double Evaluate(const Point& p) const;
-    double GetTrace() const { return this->A[0] + this->A[3] + this->A[5]; }
+    void Add(const Quadric& other)
+    {
+      for (std::size_t i = 0; i < 10; ++i)
+      {
+        this->V[i] += other.V[i];
+      }
+    }
+    double Evaluate(const Vector& p) const;
+    double GetTrace() const { return this->V[0] + this->V[3] + this->V[5]; }
   };
-  // A plane times the square root of its weight: its outer product is the quadric.
-  using Plane = std::array<double, 4>;
 
-  void MakePlane(Region::Face f);
-  void MakeQuadric(Region::Vertex v);
-  void AddCurvePlanes(Region::Vertex v, Quadric& q) const;
-  const Quadric& GetSum(Region::Halfedge h) const;
-  static Point Minimize(const Quadric& q, const Point& middle);
+  static Quadric MakePlaneQuadric(const Vector& normal, const Vector& on);
+  void MakeFaceQuadric(std::uint32_t h);
+  void MakeQuadric(std::uint32_t v);
+  void AddCurveQuadrics(std::uint32_t v, Quadric& q) const;
+  Quadric GetSum(std::uint32_t h) const;
+  double GetCost(const Quadric& q, std::uint32_t h, const Vector& place) const;
+  static Vector Minimize(const Quadric& q, const Vector& middle);
 
   const vtkMTCollapseRegion& R;
-  std::vector<Plane> Planes;     // [faces]
-  std::vector<Quadric> Quadrics; // [vertices]
-  // CGAL asks for the place of an edge and then for its cost: the sum is made once for both.
-  mutable Quadric Sum;
-  mutable Region::Halfedge SumOf;
+  std::vector<Quadric> FaceQuadrics; // [faces]
+  std::vector<Quadric> Quadrics;     // [vertices]
 };
 
 #endif

@@ -36,6 +36,24 @@ std::string FindBadIndex(const vtkMTPatch& floor, const vtkMTSimplification& r)
       return "wedge " + std::to_string(w) + " is not of its point's origin";
     }
   }
+  if (r.Heirs.size() != floor.Points.size())
+  {
+    return "not an heir for every point of the floor";
+  }
+  for (const std::uint32_t heir : r.Heirs)
+  {
+    if (heir >= n && heir != vtkMTSimplification::NoHeir)
+    {
+      return "heir out of range";
+    }
+  }
+  for (std::uint32_t p = 0; p < n; ++p)
+  {
+    if (r.Heirs[r.PointOrigin[p]] != p)
+    {
+      return "the origin of point " + std::to_string(p) + " was merged into another one";
+    }
+  }
   std::vector<bool> usedWedges(r.WedgePoints.size(), false);
   std::vector<bool> usedPoints(n, false);
   for (const vtkMTTriangle& t : r.Triangles)
