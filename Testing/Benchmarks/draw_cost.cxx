@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What drawing a cut costs beside one vtkPolyDataMapper with the same triangles in one polydata:
+//   draw_cost MODEL [--frames N] [--size WIDTH HEIGHT] [--pixel-error E] [--json]
+// Both mappers are in one window; only one of them is visible in a frame, turn by turn, while the camera goes around
+// the model. The cut is that of the first view and is frozen, so both draw the same triangles. A frame's time runs from
+// the call of Render until OpenGL is done. Medians of N frames each (default 60), for several states of the actor.
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkMultiTriangulationReader.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+struct Options
+{
+  std::string Model;
+  int Frames = 60;
+  int Size[2] = { 1024, 768 };
+  double PixelError = 1.0;
+  bool Json = false;
+};
+
+bool Parse(int argc, char** argv, Options& options)
+{
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    const auto next = [&]() { return i + 1 < argc ? argv[++i] : "0"; };
+    if (word == "--frames")
+    {
+      options.Frames = std::atoi(next());
+    }
+    else if (word == "--size")
+    {
+      options.Size[0] = std::atoi(next());
+      options.Size[1] = std::atoi(next());
+    }
+    else if (word == "--pixel-error")
+    {
+      options.PixelError = std::atof(next());
+    }
+    else if (word == "--json")
+    {
+      options.Json = true;
+    }
+    else
+    {
+      options.Model = word;
+    }
+  }
+  return !options.Model.empty() && options.Frames > 0 && options.Size[0] > 0 && options.Size[1] > 0;
+}
+
+double GetMedian(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+struct State
+{
+  const char* Name;
+  std::function<void(vtkMapper*, vtkActor*)> Apply;
+};
+
+std::vector<State> GetStates(vtkPolyData* mesh)
+{
+  std::vector<State> states;
+  states.push_back({ "smooth", [](vtkMapper* mapper, vtkActor*) { mapper->ScalarVisibilityOff(); } });
+  states.push_back({ "flat", [](vtkMapper*, vtkActor* actor) { actor->GetProperty()->SetInterpolationToFlat(); } });
+  states.push_back({ "edges",
+    [](vtkMapper*, vtkActor* actor)
+    {
+      actor->GetProperty()->SetInterpolationToPhong();
+      actor->GetProperty()->EdgeVisibilityOn();
+    } });
+  const auto add = [&](const char* state, vtkFieldData* data, bool cells)
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      if (array && array->GetName())
+      {
+        const std::string name = array->GetName();
+        double range[2];
+        array->GetRange(range, 0);
+        states.push_back({ state,
+          [=](vtkMapper* mapper, vtkActor* actor)
+          {
+            actor->GetProperty()->EdgeVisibilityOff();
+            mapper->ScalarVisibilityOn();
+            cells ? mapper->SetScalarModeToUseCellFieldData() : mapper->SetScalarModeToUsePointFieldData();
+            mapper->SelectColorArray(name.c_str());
+            mapper->SetScalarRange(range[0], range[1]);
+          } });
+        return;
+      }
+    }
+  };
+  add("point scalars", mesh->GetPointData(), false);
+  add("cell scalars", mesh->GetCellData(), true);
+  return states;
+}
+
+// Seconds of one frame.
+double Draw(vtkRenderWindow* window)
+{
+  const auto start = std::chrono::steady_clock::now();
+  window->Render();
+  window->WaitForCompletion();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Scene
+{
+  vtkNew<vtkMultiTriangulationMapper> Ours;
+  vtkNew<vtkPolyDataMapper> Theirs;
+  vtkNew<vtkActor> Actors[2];
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+void Measure(Scene& scene, const State& state, const Options& options)
+{
+  state.Apply(scene.Ours, scene.Actors[0]);
+  state.Apply(scene.Theirs, scene.Actors[1]);
+  std::vector<double> times[2];
+  constexpr int WarmUp = 3;
+  for (int frame = -WarmUp; frame < options.Frames; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(7.0);
+    scene.Renderer->ResetCameraClippingRange();
+    for (int turn = 0; turn < 2; ++turn)
+    {
+      const int who = (frame + turn) & 1;
+      scene.Actors[who]->VisibilityOn();
+      scene.Actors[1 - who]->VisibilityOff();
+      const double seconds = Draw(scene.Window);
+      if (frame >= 0)
+      {
+        times[who].push_back(seconds);
+      }
+    }
+  }
+  const double ours = GetMedian(times[0]);
+  const double theirs = GetMedian(times[1]);
+  const vtkIdType triangles = scene.Ours->GetTriangles();
+  const vtkIdType patches = scene.Ours->GetPatches();
+  if (options.Json)
+  {
+    std::printf("{\"state\": \"%s\", \"triangles\": %lld, \"patches\": %lld, \"mapper_ms\": %.3f, "
+                "\"polydata_mapper_ms\": %.3f, \"ratio\": %.3f}\n",
+      state.Name, static_cast<long long>(triangles), static_cast<long long>(patches), 1e3 * ours, 1e3 * theirs,
+      ours / theirs);
+    return;
+  }
+  std::printf("%-14s %9lld triangles %6lld patches: %8.2f ms, vtkPolyDataMapper %8.2f ms, ratio %.3f\n", state.Name,
+    static_cast<long long>(triangles), static_cast<long long>(patches), 1e3 * ours, 1e3 * theirs, ours / theirs);
+}
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  if (!Parse(argc, argv, options))
+  {
+    std::fprintf(stderr, "usage: draw_cost MODEL [--frames N] [--size WIDTH HEIGHT] [--pixel-error E] [--json]\n");
+    return 2;
+  }
+  vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName(options.Model.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() != 0)
+  {
+    return 1;
+  }
+
+  Scene scene;
+  scene.Ours->SetInputConnection(reader->GetOutputPort());
+  scene.Ours->SetPixelError(options.PixelError);
+  scene.Ours->ScalarVisibilityOff();
+  scene.Actors[0]->SetMapper(scene.Ours);
+  scene.Actors[1]->SetMapper(scene.Theirs);
+  scene.Renderer->AddActor(scene.Actors[0]);
+  scene.Window->SetOffScreenRendering(1);
+  scene.Window->SetMultiSamples(0);
+  scene.Window->SetSize(options.Size);
+  scene.Window->AddRenderer(scene.Renderer);
+  scene.Renderer->ResetCamera();
+  scene.Window->Render();
+  scene.Ours->FreezeCutOn();
+  vtkNew<vtkPolyData> mesh;
+  if (!scene.Ours->GetCut(mesh))
+  {
+    return 1;
+  }
+  scene.Theirs->SetInputData(mesh);
+  scene.Renderer->AddActor(scene.Actors[1]);
+  for (const State& state : GetStates(mesh))
+  {
+    Measure(scene, state, options);
+  }
+  return 0;
+}
