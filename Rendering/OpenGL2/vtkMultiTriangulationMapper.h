@@ -188,6 +188,8 @@ protected:
   void UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor) override;
   void GetShaderTemplate(
     std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
 
@@ -211,6 +213,7 @@ private:
   void UpdateCellTextures(vtkRenderer* renderer);
   void UpdateOrigin(vtkRenderer* renderer, vtkActor* actor);
   void SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  void SetNormalMatrix(vtkOpenGLHelper& cellBO, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView);
   void DrawPrimitives(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode);
   void DrawAtOnce(unsigned int mode);
   void DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned int mode);

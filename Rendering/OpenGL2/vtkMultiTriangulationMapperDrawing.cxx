@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMultiTriangulationMapper: shaders, draw calls and picking.
+// vtkMultiTriangulationMapper: draw calls and picking.
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
 #include "vtkMTPalette.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTSelectionIds.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
-#include "vtkOpenGLActor.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPlaneCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkShader.h"
 #include "vtkShaderProgram.h"
 
 #include "vtk_glew.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <vector>
 
 namespace
@@ -35,114 +28,6 @@ const void* ToPointer(std::uint64_t offset)
 {
   return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset));
 }
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::GetShaderTemplate(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
-  if (!this->HasPatches())
-  {
-    return;
-  }
-  // Integers are subtracted without rounding, so a point has the same vertexMC in every patch that shares it.
-  std::string source = shaders[vtkShader::Vertex]->GetSource();
-  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;",
-    "in ivec3 latticeMC;\n"
-    "uniform ivec3 latticeOrigin;\n");
-  vtkShaderProgram::Substitute(source, "//VTK::CustomBegin::Impl",
-    "vec4 vertexMC = vec4(vec3(latticeMC - latticeOrigin), 1.0);\n"
-    "  //VTK::CustomBegin::Impl\n");
-  shaders[vtkShader::Vertex]->SetSource(source);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::SetMapperShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
-  if (!this->HasPatches())
-  {
-    return;
-  }
-  const auto& origin = this->Implementation->Origin;
-  const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
-  glUniform3i(where, origin[0], origin[1], origin[2]);
-  this->SetClippingPlanes(cellBO, actor);
-}
-
-//------------------------------------------------------------------------------
-// The superclass's planes are in model units; these are in lattice steps from the origin.
-void vtkMultiTriangulationMapper::SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor)
-{
-  constexpr int Maximum = 6;
-  const int count = std::min(this->GetNumberOfClippingPlanes(), Maximum);
-  if (count == 0 || !cellBO.Program->IsUniformUsed("clipPlanes"))
-  {
-    return;
-  }
-  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
-  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
-  float equations[Maximum][4] = {};
-  for (int i = 0; i < count; ++i)
-  {
-    double plane[4];
-    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
-    // In steps all along, so that the smallest and largest models stay within the range of floats.
-    const double offset = plane[0] * origin[0] + plane[1] * origin[1] + plane[2] * origin[2] + plane[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      equations[i][k] = static_cast<float>(plane[k]);
-    }
-    equations[i][3] = static_cast<float>(offset / lattice.Step);
-  }
-  cellBO.Program->SetUniform4fv("clipPlanes", Maximum, equations);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::SetCameraShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
-{
-  this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
-  if (!this->HasPatches())
-  {
-    return;
-  }
-  // VTK keeps these matrices transposed, as OpenGL wants them.
-  vtkMatrix4x4* worldToView;
-  vtkMatrix4x4* viewToDevice;
-  vtkMatrix4x4* worldToDevice;
-  vtkMatrix3x3* normals;
-  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
-    ->GetKeyMatrices(renderer, worldToView, normals, viewToDevice, worldToDevice);
-
-  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
-  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
-  vtkNew<vtkMatrix4x4> toWorld;
-  for (int i = 0; i < 3; ++i)
-  {
-    toWorld->SetElement(i, i, lattice.Step);
-    toWorld->SetElement(3, i, origin[i]);
-  }
-  if (!actor->GetIsIdentity())
-  {
-    vtkMatrix4x4* modelToWorld;
-    vtkOpenGLActor::SafeDownCast(actor)->GetKeyMatrices(modelToWorld, normals);
-    vtkMatrix4x4::Multiply4x4(toWorld, modelToWorld, toWorld);
-  }
-  const auto set = [&cellBO](const char* name, vtkMatrix4x4* matrix)
-  {
-    if (cellBO.Program->IsUniformUsed(name))
-    {
-      cellBO.Program->SetUniformMatrix(name, matrix);
-    }
-  };
-  set("MCWCMatrix", toWorld);
-  vtkMatrix4x4::Multiply4x4(toWorld, worldToView, this->TempMatrix4);
-  set("MCVCMatrix", this->TempMatrix4);
-  vtkMatrix4x4::Multiply4x4(this->TempMatrix4, viewToDevice, this->TempMatrix4);
-  set("MCDCMatrix", this->TempMatrix4);
 }
 
 //------------------------------------------------------------------------------

@@ -252,47 +252,6 @@ TEST(Mapper, UnevenCutsHaveNoCracks)
   EXPECT_EQ(background, 0);
 }
 
-// The same scene somewhere else, in another size.
-class MapperAt : public ::testing::TestWithParam<std::pair<double, double>>
-{
-};
-
-TEST_P(MapperAt, DrawsWhatItDrawsAtTheOrigin)
-{
-  const auto [offset, scale] = GetParam();
-  vtkSmartPointer<vtkImageData> pictures[2];
-  vtkIdType triangles[2];
-  for (int moved = 0; moved < 2; ++moved)
-  {
-    MTGridModel model;
-    model.Size = moved ? scale : 1.0;
-    model.Corner = { moved ? offset : 0.0, moved ? 2.0 * offset : 0.0, moved ? -offset : 0.0 };
-    const auto mapper = MakeMapper(MakeInput(model), 0.3);
-    MTScene scene(mapper);
-    vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    const auto place = [&model](double x, double y, double z)
-    {
-      return std::array<double, 3>{ model.Corner[0] + model.Size * x, model.Corner[1] + model.Size * y,
-        model.Corner[2] + model.Size * z };
-    };
-    camera->SetPosition(place(0.4, -0.6, 1.1).data());
-    camera->SetFocalPoint(place(0.45, 0.35, 0.0).data());
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    scene.Renderer->ResetCameraClippingRange();
-    pictures[moved] = scene.Render();
-    triangles[moved] = mapper->GetTriangles();
-  }
-  const MTDifference difference = MTDifference::Compare(pictures[1], pictures[0]);
-  std::cout << "offset " << offset << ", scale " << scale << ": " << triangles[1] << " triangles, " << difference
-            << "\n";
-  EXPECT_GT(difference.Drawn, 10000u);
-  EXPECT_LE(difference.ClearlyOff, difference.Drawn / 10000);
-}
-
-INSTANTIATE_TEST_SUITE_P(Places, MapperAt,
-  ::testing::Values(
-    std::pair(1e7, 1.0), std::pair(5e5, 1.0), std::pair(0.0, 1e-20), std::pair(0.0, 1e20), std::pair(4e6, 1000.0)));
-
 TEST(Mapper, LookupTableChangeReadsNothingAndUploadsColorsOnly)
 {
   const auto mapper = MakeMapper(MakeInput());

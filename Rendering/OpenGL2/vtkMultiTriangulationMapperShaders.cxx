@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkMultiTriangulationMapper: what it changes in VTK's shaders, and the numbers that it gives them.
+//
+// Nothing that is computed in single precision may depend on where the model is or how large. Positions are lattice
+// integers; the matrices are multiplied in double precision; and directions, which VTK's shaders derive from eye
+// coordinates, are taken from eye coordinates in units near 1, for the squares of 1e-20 and of 1e20 are no floats. The
+// units are powers of two, so at ordinary sizes the shaders compute what VTK's do, bit for bit.
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkMultiTriangulationMapperInternals.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
+#include "vtkShader.h"
+#include "vtkShaderProgram.h"
+
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace
+{
+// 1 over the largest power of two that is not above x; 1 where x is no positive number.
+double GetUnit(double x)
+{
+  return std::isnormal(x) && x > 0.0 ? std::ldexp(1.0, -std::ilogb(x)) : 1.0;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  // Integers are subtracted without rounding, so a point has the same vertexMC in every patch that shares it.
+  std::string source = shaders[vtkShader::Vertex]->GetSource();
+  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;",
+    "in ivec3 latticeMC;\n"
+    "uniform ivec3 latticeOrigin;\n");
+  vtkShaderProgram::Substitute(source, "//VTK::CustomBegin::Impl",
+    "vec4 vertexMC = vec4(vec3(latticeMC - latticeOrigin), 1.0);\n"
+    "  //VTK::CustomBegin::Impl\n");
+  shaders[vtkShader::Vertex]->SetSource(source);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::ReplaceShaderValues(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  std::string source = shaders[vtkShader::Fragment]->GetSource();
+  const auto substitute = [&source](const std::string& from, const std::string& to)
+  { vtkShaderProgram::Substitute(source, from, to); };
+  for (const char* coordinates : { "xyz", "x", "y", "z" })
+  {
+    for (const char* function : { "dFdx(", "dFdy(" })
+    {
+      const std::string place = std::string("vertexVC.") + coordinates + ")";
+      substitute(function + place, std::string(function) + "viewUnit * " + place);
+    }
+  }
+  substitute("normalize(-vertexVC.xyz)", "normalize(-viewUnit * vertexVC.xyz)");
+  substitute("normalize(vertexVC.xyz)", "normalize(viewUnit * vertexVC.xyz)");
+  substitute("float distanceVC = length(vertLightDirectionVC);",
+    "vertLightDirectionVC *= viewUnit;\n"
+    "      float distanceVC = length(vertLightDirectionVC) / viewUnit;");
+  substitute("  distanceVC = length(L);\n",
+    "  L *= viewUnit;\n"
+    "  distanceVC = length(L) / viewUnit;\n");
+  substitute("uniform int PrimitiveIDOffset;",
+    "uniform int PrimitiveIDOffset;\n"
+    "uniform float viewUnit;");
+  shaders[vtkShader::Fragment]->SetSource(source);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  const auto& origin = this->Implementation->Origin;
+  const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
+  glUniform3i(where, origin[0], origin[1], origin[2]);
+  this->SetClippingPlanes(cellBO, actor);
+}
+
+//------------------------------------------------------------------------------
+// The superclass's planes are in model units; these are in lattice steps from the origin.
+void vtkMultiTriangulationMapper::SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor)
+{
+  constexpr int Maximum = 6;
+  const int count = std::min(this->GetNumberOfClippingPlanes(), Maximum);
+  if (count == 0 || !cellBO.Program->IsUniformUsed("clipPlanes"))
+  {
+    return;
+  }
+  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
+  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
+  float equations[Maximum][4] = {};
+  for (int i = 0; i < count; ++i)
+  {
+    double plane[4];
+    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    // In steps all along, and of a length near 1, so that the smallest and largest models stay within the range of
+    // floats; the shader looks at the sign only.
+    const double unit = GetUnit(std::max({ std::abs(plane[0]), std::abs(plane[1]), std::abs(plane[2]) }));
+    const double offset = plane[0] * origin[0] + plane[1] * origin[1] + plane[2] * origin[2] + plane[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      equations[i][k] = static_cast<float>(unit * plane[k]);
+    }
+    equations[i][3] = static_cast<float>(unit * (offset / lattice.Step));
+  }
+  cellBO.Program->SetUniform4fv("clipPlanes", Maximum, equations);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
+  if (!this->HasPatches())
+  {
+    return;
+  }
+  // VTK keeps these matrices transposed, as OpenGL wants them.
+  vtkMatrix4x4* worldToView;
+  vtkMatrix4x4* viewToDevice;
+  vtkMatrix4x4* worldToDevice;
+  vtkMatrix3x3* viewNormals;
+  vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera())
+    ->GetKeyMatrices(renderer, worldToView, viewNormals, viewToDevice, worldToDevice);
+
+  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
+  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
+  vtkNew<vtkMatrix4x4> toWorld;
+  for (int i = 0; i < 3; ++i)
+  {
+    toWorld->SetElement(i, i, lattice.Step);
+    toWorld->SetElement(3, i, origin[i]);
+  }
+  if (!actor->GetIsIdentity())
+  {
+    vtkMatrix4x4* modelToWorld;
+    vtkMatrix3x3* normals;
+    vtkOpenGLActor::SafeDownCast(actor)->GetKeyMatrices(modelToWorld, normals);
+    vtkMatrix4x4::Multiply4x4(toWorld, modelToWorld, toWorld);
+    this->SetNormalMatrix(cellBO, normals, viewNormals);
+  }
+  const auto set = [&cellBO](const char* name, vtkMatrix4x4* matrix)
+  {
+    if (cellBO.Program->IsUniformUsed(name))
+    {
+      cellBO.Program->SetUniformMatrix(name, matrix);
+    }
+  };
+  set("MCWCMatrix", toWorld);
+  vtkMatrix4x4::Multiply4x4(toWorld, worldToView, this->TempMatrix4);
+  set("MCVCMatrix", this->TempMatrix4);
+  vtkMatrix4x4::Multiply4x4(this->TempMatrix4, viewToDevice, this->TempMatrix4);
+  set("MCDCMatrix", this->TempMatrix4);
+  if (cellBO.Program->IsUniformUsed("viewUnit"))
+  {
+    const double unit = GetUnit(renderer->GetActiveCamera()->GetClippingRange()[1]);
+    cellBO.Program->SetUniformf("viewUnit", static_cast<float>(unit));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Only the direction of what it gives is looked at.
+void vtkMultiTriangulationMapper::SetNormalMatrix(
+  vtkOpenGLHelper& cellBO, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView)
+{
+  if (!cellBO.Program->IsUniformUsed("normalMatrix"))
+  {
+    return;
+  }
+  vtkMatrix3x3::Multiply3x3(modelToWorld, worldToView, this->TempMatrix3);
+  double* elements = this->TempMatrix3->GetData();
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    largest = std::max(largest, std::abs(elements[i]));
+  }
+  const double unit = GetUnit(largest);
+  std::transform(elements, elements + 9, elements, [unit](double element) { return unit * element; });
+  cellBO.Program->SetUniformMatrix("normalMatrix", this->TempMatrix3);
+}
