@@ -146,7 +146,8 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
   this->VBOs->ClearAllVBOs();
   this->EdgeValues.clear();
 
-  // The superclass asks its buffers which attributes there are, and the polydata whether there are normals.
+  // The superclass asks its buffers which attributes there are, and the polydata whether there are normals and texture
+  // coordinates.
   const auto declare = [this, renderer](const std::string& attribute, vtkDataArray* one)
   { this->VBOs->CacheDataArray(attribute.c_str(), one, renderer, one->GetDataType()); };
   for (const vtkMTPatchStreams::Floats& floats : plan.Attributes)
@@ -176,13 +177,16 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
   this->VBOs->BuildAllVBOs(renderer);
 
   const vtkMTGraph& graph = this->Implementation->Graph();
-  if (vtkMTPatchAttributes::FindAttribute(graph, vtkDataSetAttributes::NORMALS, vtkMTArrayInfo::Point) >= 0)
+  for (const int attribute : { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TCOORDS })
   {
-    vtkNew<vtkFloatArray> normals;
-    normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(1);
-    normals->Fill(0.0);
-    attributes->SetNormals(normals);
+    if (vtkMTPatchAttributes::FindAttribute(graph, attribute, vtkMTArrayInfo::Point) >= 0)
+    {
+      vtkNew<vtkFloatArray> one;
+      one->SetNumberOfComponents(attribute == vtkDataSetAttributes::NORMALS ? 3 : 2);
+      one->SetNumberOfTuples(1);
+      one->Fill(0.0);
+      attributes->SetAttribute(one, attribute);
+    }
   }
 }
 
