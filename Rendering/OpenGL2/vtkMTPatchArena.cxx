@@ -57,8 +57,7 @@ void vtkMTPatchArena::Remove(const std::string& attribute)
     if (stream.Attribute == attribute && stream.Active)
     {
       stream.Active = false;
-      stream.Capacity = 0;
-      stream.Buffer->ReleaseGraphicsResources();
+      this->Release(stream);
       for (auto& slot : this->Slots)
       {
         slot.second.Revisions.resize(this->Streams.size(), 0);
@@ -74,22 +73,64 @@ bool vtkMTPatchArena::Has(const std::string& attribute) const
     [&attribute](const std::unique_ptr<Stream>& s) { return s->Attribute == attribute && s->Active; });
 }
 
-void vtkMTPatchArena::BeginFrame(std::uint64_t vertices, std::uint64_t triangles)
+std::uint64_t vtkMTPatchArena::GetBytesOf(std::uint64_t vertices, std::uint64_t triangles) const
 {
-  ++this->Frame;
-  // Some room to spare, or every frame that needs a little more than the last one would copy everything.
-  const auto reserve = [](vtkMTRangeAllocator& space, std::uint64_t needed)
+  std::uint64_t bytes = 0;
+  for (const std::unique_ptr<Stream>& stream : this->Streams)
   {
-    if (needed > space.GetCapacity())
+    if (stream->Active)
     {
-      vtkMTPatchArena::Grow(space, needed + needed / 4);
+      bytes += stream->Layout.Bytes * (stream->Layout.Domain == Vertices ? vertices : triangles);
     }
-  };
-  reserve(this->VertexSpace, vertices);
-  reserve(this->TriangleSpace, triangles);
+  }
+  return bytes;
 }
 
-vtkMTPatchArena::Slot& vtkMTPatchArena::Use(std::uint32_t arc, std::uint32_t vertices, std::uint32_t triangles)
+// What the arena should hold for a frame of that size.
+std::array<std::uint64_t, 2> vtkMTPatchArena::GetCapacities(std::uint64_t vertices, std::uint64_t triangles) const
+{
+  const std::array<std::uint64_t, 2> now{ this->VertexSpace.GetCapacity(), this->TriangleSpace.GetCapacity() };
+  if (vertices <= now[0] && triangles <= now[1] && this->GetBytesOf(now[0], now[1]) <= this->Limit)
+  {
+    return now;
+  }
+  for (const std::uint64_t spare : { 4, 16, 64 })
+  {
+    const auto roomy = [spare](std::uint64_t present, std::uint64_t needed)
+    { return needed > present ? std::max(needed + needed / spare, SmallestCapacity) : present; };
+    const std::array<std::uint64_t, 2> capacities{ roomy(now[0], vertices), roomy(now[1], triangles) };
+    if (this->GetPeak(capacities) <= this->Limit)
+    {
+      return capacities;
+    }
+  }
+  // All that the limit allows, shared out as the frame needs it.
+  const std::uint64_t needed = std::max<std::uint64_t>(this->GetBytesOf(vertices, triangles), 1);
+  const double share = static_cast<double>(this->Limit) / static_cast<double>(needed);
+  const auto scale = [share](std::uint64_t count)
+  { return static_cast<std::uint64_t>(static_cast<double>(count) * share); };
+  return { scale(vertices), scale(triangles) };
+}
+
+bool vtkMTPatchArena::BeginFrame(std::uint64_t vertices, std::uint64_t triangles)
+{
+  ++this->Frame;
+  const std::array<std::uint64_t, 2> capacities = this->GetCapacities(vertices, triangles);
+  if (capacities[0] != this->VertexSpace.GetCapacity() || capacities[1] != this->TriangleSpace.GetCapacity())
+  {
+    this->LayOut(capacities);
+  }
+  for (std::unique_ptr<Stream>& stream : this->Streams)
+  {
+    if (stream->Active && !stream->Buffer)
+    {
+      this->Rebuild(*stream, {}, capacities[stream->Layout.Domain]);
+    }
+  }
+  return capacities[0] >= vertices && capacities[1] >= triangles;
+}
+
+vtkMTPatchArena::Slot* vtkMTPatchArena::Use(std::uint32_t arc, std::uint32_t vertices, std::uint32_t triangles)
 {
   auto found = this->Slots.find(arc);
   if (found == this->Slots.end())
@@ -97,13 +138,18 @@ vtkMTPatchArena::Slot& vtkMTPatchArena::Use(std::uint32_t arc, std::uint32_t ver
     Slot slot;
     slot.Vertices = vertices;
     slot.Triangles = triangles;
-    slot.FirstVertex = this->Allocate(this->VertexSpace, vertices);
-    slot.FirstTriangle = this->Allocate(this->TriangleSpace, triangles);
+    if (!this->Allocate(slot))
+    {
+      return nullptr;
+    }
+    slot.Position = this->Order.insert(this->Order.end(), arc);
     found = this->Slots.emplace(arc, std::move(slot)).first;
   }
-  found->second.LastFrame = this->Frame;
-  found->second.Revisions.resize(this->Streams.size(), 0);
-  return found->second;
+  Slot& slot = found->second;
+  this->Order.splice(this->Order.end(), this->Order, slot.Position);
+  slot.LastFrame = this->Frame;
+  slot.Revisions.resize(this->Streams.size(), 0);
+  return &slot;
 }
 
 bool vtkMTPatchArena::IsStale(const Slot& slot, int stream) const
@@ -121,7 +167,6 @@ bool vtkMTPatchArena::Upload(Slot& slot, int index, const std::vector<unsigned c
   {
     return false;
   }
-  this->Fit(stream);
   glBindBuffer(Target, static_cast<GLuint>(stream.Buffer->GetHandle()));
   glBufferSubData(
     Target, static_cast<GLintptr>(first * stream.Layout.Bytes), static_cast<GLsizeiptr>(data.size()), data.data());
@@ -131,78 +176,151 @@ bool vtkMTPatchArena::Upload(Slot& slot, int index, const std::vector<unsigned c
   return true;
 }
 
-void vtkMTPatchArena::Fit(Stream& stream)
+bool vtkMTPatchArena::Allocate(Slot& slot)
 {
-  const std::uint64_t capacity =
-    stream.Layout.Domain == Vertices ? this->VertexSpace.GetCapacity() : this->TriangleSpace.GetCapacity();
-  if (stream.Capacity >= capacity)
+  const auto attempt = [this, &slot]()
   {
-    return;
-  }
-  // The buffer keeps its name, so whatever refers to it stays right: its content goes away and comes back.
-  stream.Buffer->GenerateBuffer(GetObjectType(stream.Layout));
-  const auto name = static_cast<GLuint>(stream.Buffer->GetHandle());
-  const auto oldSize = static_cast<GLsizeiptr>(stream.Capacity * stream.Layout.Bytes);
-  GLuint copy = 0;
-  if (oldSize > 0)
+    slot.FirstVertex = this->VertexSpace.Allocate(slot.Vertices);
+    slot.FirstTriangle = this->TriangleSpace.Allocate(slot.Triangles);
+    if (slot.FirstVertex != vtkMTRangeAllocator::Nowhere && slot.FirstTriangle != vtkMTRangeAllocator::Nowhere)
+    {
+      return true;
+    }
+    if (slot.FirstVertex != vtkMTRangeAllocator::Nowhere)
+    {
+      this->VertexSpace.Free(slot.FirstVertex, slot.Vertices);
+    }
+    if (slot.FirstTriangle != vtkMTRangeAllocator::Nowhere)
+    {
+      this->TriangleSpace.Free(slot.FirstTriangle, slot.Triangles);
+    }
+    return false;
+  };
+  bool done = attempt();
+  while (!done && this->DropOldest())
   {
-    glGenBuffers(1, &copy);
-    glBindBuffer(Target, copy);
-    glBufferData(Target, oldSize, nullptr, GL_STREAM_COPY);
-    glBindBuffer(GL_COPY_READ_BUFFER, name);
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, Target, 0, 0, oldSize);
+    done = attempt();
   }
-  glBindBuffer(Target, name);
-  glBufferData(Target, static_cast<GLsizeiptr>(capacity * stream.Layout.Bytes), nullptr, GL_DYNAMIC_DRAW);
-  if (oldSize > 0)
+  const auto hasRoom = [](const vtkMTRangeAllocator& space, std::uint64_t size)
+  { return space.GetCapacity() - space.GetUsed() >= size; };
+  if (!done && hasRoom(this->VertexSpace, slot.Vertices) && hasRoom(this->TriangleSpace, slot.Triangles))
   {
-    glBindBuffer(GL_COPY_READ_BUFFER, copy);
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, Target, 0, 0, oldSize);
-    glDeleteBuffers(1, &copy);
+    this->LayOut({ this->VertexSpace.GetCapacity(), this->TriangleSpace.GetCapacity() });
+    done = attempt();
   }
-  glBindBuffer(GL_COPY_READ_BUFFER, 0);
-  glBindBuffer(Target, 0);
-  stream.Capacity = capacity;
-}
-
-void vtkMTPatchArena::Grow(vtkMTRangeAllocator& space, std::uint64_t needed)
-{
-  space.Grow(std::max(needed, SmallestCapacity));
-}
-
-std::uint64_t vtkMTPatchArena::Allocate(vtkMTRangeAllocator& space, std::uint32_t size)
-{
-  std::uint64_t place = space.Allocate(size);
-  while (place == vtkMTRangeAllocator::Nowhere && this->DropOldest())
-  {
-    place = space.Allocate(size);
-  }
-  if (place == vtkMTRangeAllocator::Nowhere)
-  {
-    this->Grow(space, space.GetCapacity() + std::max<std::uint64_t>(size, space.GetCapacity() / 2));
-    place = space.Allocate(size);
-  }
-  return place;
+  return done;
 }
 
 bool vtkMTPatchArena::DropOldest()
 {
-  auto oldest = this->Slots.end();
-  for (auto slot = this->Slots.begin(); slot != this->Slots.end(); ++slot)
-  {
-    if (slot->second.LastFrame < this->Frame &&
-      (oldest == this->Slots.end() || slot->second.LastFrame < oldest->second.LastFrame ||
-        (slot->second.LastFrame == oldest->second.LastFrame && slot->first < oldest->first)))
-    {
-      oldest = slot;
-    }
-  }
-  if (oldest == this->Slots.end())
+  if (this->Order.empty() || this->Slots.at(this->Order.front()).LastFrame == this->Frame)
   {
     return false;
   }
-  this->Drop(oldest->first);
+  this->Drop(this->Order.front());
   return true;
+}
+
+// The most bytes at any moment while the streams are moved, one after the other, into buffers of that size.
+std::uint64_t vtkMTPatchArena::GetPeak(const std::array<std::uint64_t, 2>& capacities) const
+{
+  std::uint64_t now = this->Bytes;
+  std::uint64_t peak = now;
+  for (const std::unique_ptr<Stream>& stream : this->Streams)
+  {
+    if (stream->Active)
+    {
+      now += stream->Layout.Bytes * capacities[stream->Layout.Domain];
+      peak = std::max(peak, now);
+      now -= stream->Layout.Bytes * stream->Capacity;
+    }
+  }
+  return peak;
+}
+
+// Gives the arena these capacities and closes the gaps between slots.
+void vtkMTPatchArena::LayOut(const std::array<std::uint64_t, 2>& capacities)
+{
+  while ((this->VertexSpace.GetUsed() > capacities[0] || this->TriangleSpace.GetUsed() > capacities[1]) &&
+    this->DropOldest())
+  {
+  }
+  if (this->GetPeak(capacities) > this->Limit)
+  {
+    this->Clear();
+    for (std::unique_ptr<Stream>& stream : this->Streams)
+    {
+      this->Release(*stream);
+    }
+  }
+  const std::vector<Move> moves[2] = { this->Place(Vertices, capacities[0]), this->Place(Triangles, capacities[1]) };
+  for (std::unique_ptr<Stream>& stream : this->Streams)
+  {
+    if (stream->Active)
+    {
+      this->Rebuild(*stream, moves[stream->Layout.Domain], capacities[stream->Layout.Domain]);
+    }
+  }
+}
+
+// Gives all slots new places, side by side, in their present order.
+std::vector<vtkMTPatchArena::Move> vtkMTPatchArena::Place(DomainType domain, std::uint64_t capacity)
+{
+  vtkMTRangeAllocator& space = domain == Vertices ? this->VertexSpace : this->TriangleSpace;
+  space.Reset(capacity);
+  std::vector<Move> moves;
+  for (const auto& place : this->GetPlaces(domain))
+  {
+    Slot& slot = this->Slots.at(place.second);
+    const std::uint64_t count = domain == Vertices ? slot.Vertices : slot.Triangles;
+    const Move move{ place.first, space.Allocate(count), count };
+    (domain == Vertices ? slot.FirstVertex : slot.FirstTriangle) = move.To;
+    if (!moves.empty() && moves.back().From + moves.back().Count == move.From)
+    {
+      moves.back().Count += count;
+    }
+    else
+    {
+      moves.push_back(move);
+    }
+  }
+  return moves;
+}
+
+void vtkMTPatchArena::Rebuild(Stream& stream, const std::vector<Move>& moves, std::uint64_t capacity)
+{
+  const std::uint64_t size = stream.Layout.Bytes;
+  auto buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+  buffer->GenerateBuffer(GetObjectType(stream.Layout));
+  glBindBuffer(Target, static_cast<GLuint>(buffer->GetHandle()));
+  glBufferData(Target, static_cast<GLsizeiptr>(capacity * size), nullptr, GL_DYNAMIC_DRAW);
+  this->Bytes += capacity * size;
+  this->MostBytes = std::max(this->MostBytes, this->Bytes);
+  if (stream.Buffer)
+  {
+    glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(stream.Buffer->GetHandle()));
+    for (const Move& move : moves)
+    {
+      glCopyBufferSubData(GL_COPY_READ_BUFFER, Target, static_cast<GLintptr>(move.From * size),
+        static_cast<GLintptr>(move.To * size), static_cast<GLsizeiptr>(move.Count * size));
+    }
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+  }
+  glBindBuffer(Target, 0);
+  this->Release(stream);
+  stream.Buffer = buffer;
+  stream.Capacity = capacity;
+}
+
+void vtkMTPatchArena::Release(Stream& stream)
+{
+  if (stream.Buffer)
+  {
+    stream.Buffer->ReleaseGraphicsResources();
+    stream.Buffer = nullptr;
+  }
+  this->Bytes -= stream.Layout.Bytes * stream.Capacity;
+  stream.Capacity = 0;
 }
 
 void vtkMTPatchArena::Drop(std::uint32_t arc)
@@ -214,12 +332,14 @@ void vtkMTPatchArena::Drop(std::uint32_t arc)
   }
   this->VertexSpace.Free(found->second.FirstVertex, found->second.Vertices);
   this->TriangleSpace.Free(found->second.FirstTriangle, found->second.Triangles);
+  this->Order.erase(found->second.Position);
   this->Slots.erase(found);
 }
 
 void vtkMTPatchArena::Clear()
 {
   this->Slots.clear();
+  this->Order.clear();
   this->VertexSpace.Reset(this->VertexSpace.GetCapacity());
   this->TriangleSpace.Reset(this->TriangleSpace.GetCapacity());
 }
@@ -228,7 +348,7 @@ void vtkMTPatchArena::ReleaseGraphicsResources()
 {
   for (std::unique_ptr<Stream>& stream : this->Streams)
   {
-    stream->Buffer->ReleaseGraphicsResources();
+    this->Release(*stream);
   }
   if (this->VertexArray)
   {
@@ -237,6 +357,7 @@ void vtkMTPatchArena::ReleaseGraphicsResources()
   }
   this->Streams.clear();
   this->Slots.clear();
+  this->Order.clear();
   this->VertexSpace.Reset(0);
   this->TriangleSpace.Reset(0);
 }
@@ -314,14 +435,4 @@ std::map<std::uint64_t, std::uint32_t> vtkMTPatchArena::GetPlaces(DomainType dom
     places.emplace(domain == Vertices ? slot.second.FirstVertex : slot.second.FirstTriangle, slot.first);
   }
   return places;
-}
-
-std::uint64_t vtkMTPatchArena::GetBytes() const
-{
-  std::uint64_t bytes = 0;
-  for (const std::unique_ptr<Stream>& stream : this->Streams)
-  {
-    bytes += stream->Capacity * stream->Layout.Bytes;
-  }
-  return bytes;
 }

@@ -9,8 +9,13 @@
  * its id for picking and for cell colours. Streams come and go without moving slots; a stream that is declared anew is
  * stale in every slot until uploaded.
  *
- * The arena grows as the patches of one frame need it: before it grows, patches that the frame does not use are
- * dropped, the least recently used first.
+ * How large it is. BeginFrame says how much the frame draws. Where the arena is too small for that it is laid out anew,
+ * with a quarter to spare: new buffers, into which the GPU copies what the old ones hold, so nothing is uploaded again
+ * and the CPU waits for nothing. While a frame is put together, room is made by dropping patches that the frame does
+ * not use, the least recently used first, and at last by closing the gaps between slots, which is the same layout step.
+ *
+ * The limit is hard: all buffers together, the copies of a new layout included, never take more bytes. A layout that
+ * would need more for its copies begins empty instead. What does not fit has no slot.
  *
  * All methods but the constructor need the OpenGL context of the window that the arena belongs to, current.
  */
@@ -18,11 +23,13 @@
 #define vtkMTPatchArena_h
 
 #include "vtkMTRangeAllocator.h"
-#include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
+#include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <list>
 #include <map>
 #include <memory>
 #include <string>
@@ -61,8 +68,12 @@ public:
     std::uint32_t Vertices = 0;
     std::uint32_t Triangles = 0;
     std::uint64_t LastFrame = 0;
-    std::vector<std::uint64_t> Revisions; // by stream
+    std::vector<std::uint64_t> Revisions;        // by stream
+    std::list<std::uint32_t>::iterator Position; // in Order
   };
+
+  /// Bytes of all buffers together; no limit at first. It holds from the next BeginFrame on.
+  void SetLimit(std::uint64_t limit) { this->Limit = limit; }
 
   ///@{
   /**
@@ -75,10 +86,12 @@ public:
   bool Has(const std::string& attribute) const;
   ///@}
 
-  /// Starts a frame that draws patches of so many vertices and triangles in total.
-  void BeginFrame(std::uint64_t vertices, std::uint64_t triangles);
-  /// The arc's slot, made if need be; used in this frame.
-  Slot& Use(std::uint32_t arc, std::uint32_t vertices, std::uint32_t triangles);
+  /// Starts a frame that draws patches of so many vertices and triangles in total. False where the limit does not hold
+  /// that much.
+  bool BeginFrame(std::uint64_t vertices, std::uint64_t triangles);
+  /// The arc's slot, made if need be; used in this frame. Null where there is no room for it beside the others that the
+  /// frame uses.
+  Slot* Use(std::uint32_t arc, std::uint32_t vertices, std::uint32_t triangles);
   bool IsStale(const Slot& slot, int stream) const;
   /// False, and nothing done, unless there is exactly as much data as the slot has vertices or triangles.
   bool Upload(Slot& slot, int stream, const std::vector<unsigned char>& data);
@@ -102,8 +115,11 @@ public:
 
   std::uint64_t GetVertexCapacity() const { return this->VertexSpace.GetCapacity(); }
   std::uint64_t GetTriangleCapacity() const { return this->TriangleSpace.GetCapacity(); }
-  /// Of all buffers.
-  std::uint64_t GetBytes() const;
+  /// Of all buffers, now and at most so far.
+  std::uint64_t GetBytes() const { return this->Bytes; }
+  std::uint64_t GetMostBytes() const { return this->MostBytes; }
+  /// Of the data of so many vertices and triangles, in all streams that are declared.
+  std::uint64_t GetBytesOf(std::uint64_t vertices, std::uint64_t triangles) const;
   std::size_t GetNumberOfPatches() const { return this->Slots.size(); }
   std::uint64_t GetNumberOfUploadedBytes() const { return this->UploadedBytes; }
 
@@ -115,19 +131,35 @@ private:
     std::uint64_t Revision = 0;
     std::uint64_t Capacity = 0; // vertices or triangles that the buffer holds
     bool Active = false;
-    vtkNew<vtkOpenGLBufferObject> Buffer;
+    vtkSmartPointer<vtkOpenGLBufferObject> Buffer;
   };
 
-  static void Grow(vtkMTRangeAllocator& space, std::uint64_t needed);
-  void Fit(Stream& stream);
-  std::uint64_t Allocate(vtkMTRangeAllocator& space, std::uint32_t size);
+  // Elements that lie side by side before and after a new layout.
+  struct Move
+  {
+    std::uint64_t From = 0;
+    std::uint64_t To = 0;
+    std::uint64_t Count = 0;
+  };
+
+  std::array<std::uint64_t, 2> GetCapacities(std::uint64_t vertices, std::uint64_t triangles) const;
+  std::uint64_t GetPeak(const std::array<std::uint64_t, 2>& capacities) const;
+  void LayOut(const std::array<std::uint64_t, 2>& capacities);
+  std::vector<Move> Place(DomainType domain, std::uint64_t capacity);
+  void Rebuild(Stream& stream, const std::vector<Move>& moves, std::uint64_t capacity);
+  void Release(Stream& stream);
+  bool Allocate(Slot& slot);
   bool DropOldest();
 
   std::vector<std::unique_ptr<Stream>> Streams;
   std::unordered_map<std::uint32_t, Slot> Slots;
+  std::list<std::uint32_t> Order; // least recently used first
   vtkMTRangeAllocator VertexSpace;
   vtkMTRangeAllocator TriangleSpace;
   std::uint64_t Frame = 0;
+  std::uint64_t Limit = ~std::uint64_t(0);
+  std::uint64_t Bytes = 0;
+  std::uint64_t MostBytes = 0;
   std::uint64_t UploadedBytes = 0;
   unsigned int VertexArray = 0;
 };

@@ -72,16 +72,30 @@ std::vector<std::int32_t> vtkMTPatchAttributes::GetPositions(const vtkMTPatch& p
   return positions;
 }
 
-std::vector<std::uint32_t> vtkMTPatchAttributes::GetEdges(const vtkMTPatch& patch)
+template <typename Index>
+std::vector<Index> vtkMTPatchAttributes::GetIndices(const vtkMTPatch& patch, bool edges)
 {
-  std::vector<std::uint32_t> edges;
-  edges.reserve(6 * patch.Triangles.size());
+  std::vector<Index> indices;
+  indices.reserve((edges ? 6 : 3) * patch.Triangles.size());
   for (const vtkMTTriangle& t : patch.Triangles)
   {
-    edges.insert(edges.end(), { t[0], t[1], t[1], t[2], t[2], t[0] });
+    const auto a = static_cast<Index>(t[0]);
+    const auto b = static_cast<Index>(t[1]);
+    const auto c = static_cast<Index>(t[2]);
+    if (edges)
+    {
+      indices.insert(indices.end(), { a, b, b, c, c, a });
+    }
+    else
+    {
+      indices.insert(indices.end(), { a, b, c });
+    }
   }
-  return edges;
+  return indices;
 }
+
+template std::vector<std::uint16_t> vtkMTPatchAttributes::GetIndices<std::uint16_t>(const vtkMTPatch&, bool);
+template std::vector<std::uint32_t> vtkMTPatchAttributes::GetIndices<std::uint32_t>(const vtkMTPatch&, bool);
 
 std::vector<float> vtkMTPatchAttributes::GetFloats(vtkDataArray* array, int components, int component)
 {

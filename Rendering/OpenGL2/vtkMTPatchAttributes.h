@@ -38,8 +38,9 @@ struct vtkMTPatchAttributes
 
   /// Lattice integers, three per wedge.
   static std::vector<std::int32_t> GetPositions(const vtkMTPatch& patch);
-  /// Two indices for each edge of each triangle.
-  static std::vector<std::uint32_t> GetEdges(const vtkMTPatch& patch);
+  /// Three indices for each triangle, or two for each of its edges. Index: std::uint16_t or std::uint32_t.
+  template <typename Index>
+  static std::vector<Index> GetIndices(const vtkMTPatch& patch, bool edges);
   /// The array's values with `components` components each, missing ones 0; component -1 starts at the first one.
   static std::vector<float> GetFloats(vtkDataArray* array, int components, int component = -1);
   /// Four bytes per tuple, each tuple `times` times.

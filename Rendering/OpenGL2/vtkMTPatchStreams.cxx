@@ -73,7 +73,8 @@ void vtkMTPatchStreams::Apply(const Plan& plan, vtkMTPatchArena& arena)
   };
 
   declare(Positions, MakeVertexFormat(3, GL_INT, 12, true), 1, Stream::Points);
-  declare(Indices, MakeTriangleFormat(plan.Edges ? 24 : 12), 1, Stream::Connectivity);
+  const std::size_t index = plan.ShortIndices ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+  declare(Indices, MakeTriangleFormat((plan.Edges ? 6 : 3) * index), plan.ShortIndices ? 2 : 1, Stream::Connectivity);
   for (std::size_t i = 0; i < plan.Attributes.size(); ++i)
   {
     const Floats& floats = plan.Attributes[i];
@@ -160,7 +161,9 @@ std::vector<unsigned char> vtkMTPatchStreams::Make(
       bytes = ToBytes(vtkMTPatchAttributes::GetPositions(patch));
       break;
     case Stream::Connectivity:
-      bytes = this->Current.Edges ? ToBytes(vtkMTPatchAttributes::GetEdges(patch)) : ToBytes(patch.Triangles);
+      bytes = this->Current.ShortIndices
+        ? ToBytes(vtkMTPatchAttributes::GetIndices<std::uint16_t>(patch, this->Current.Edges))
+        : ToBytes(vtkMTPatchAttributes::GetIndices<std::uint32_t>(patch, this->Current.Edges));
       break;
     case Stream::Attribute:
     {

@@ -43,6 +43,7 @@ public:
   struct Plan
   {
     bool Edges = false;            ///< line indices (wireframe), else triangles
+    bool ShortIndices = false;     ///< of 16 bits; no patch may have more than 65536 wedges then
     int PrimitivesPerTriangle = 1; ///< what OpenGL counts while it draws one triangle
     std::vector<Floats> Attributes;
     int CellNormals = -1; ///< an array of association Cell, or none

@@ -70,6 +70,8 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FreezeCut: " << this->FreezeCut << "\n";
   os << indent << "ColorBy: " << this->ColorBy << "\n";
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
+  os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
+  os << indent << "TrianglesPerSecond: " << this->TrianglesPerSecond << "\n";
   os << indent << "Triangles: " << this->Triangles << "\n";
   os << indent << "Patches: " << this->Patches << "\n";
   os << indent << "CulledPatches: " << this->CulledPatches << "\n";
@@ -92,6 +94,8 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetFreezeCut(other->GetFreezeCut());
     this->SetColorBy(other->GetColorBy());
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
+    this->SetGraphicsMemoryLimit(other->GetGraphicsMemoryLimit());
+    this->SetTrianglesPerSecond(other->GetTrianglesPerSecond());
   }
   if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
@@ -112,6 +116,7 @@ void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
   if (renderWindow && renderWindow->IsCurrent())
   {
     this->Implementation->Arena.ReleaseGraphicsResources();
+    this->Implementation->Timer.ReleaseGraphicsResources();
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
@@ -143,6 +148,12 @@ bool vtkMultiTriangulationMapper::HasTranslucentPolygonalGeometry()
 vtkIdType vtkMultiTriangulationMapper::GetGraphicsMemory()
 {
   return static_cast<vtkIdType>(this->Implementation->Arena.GetBytes());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetMostGraphicsMemory()
+{
+  return static_cast<vtkIdType>(this->Implementation->Arena.GetMostBytes());
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +202,13 @@ void vtkMultiTriangulationMapper::FollowInput()
   {
     self.Cut = nullptr;
     self.Arena.Clear();
+    self.Vertices = 0;
+    self.Triangles = 0;
+    for (std::size_t i = 0; source && i < source->GetGraph().Arcs.size(); ++i)
+    {
+      self.Vertices += source->GetGraph().Arcs[i].Wedges;
+      self.Triangles += source->GetGraph().Arcs[i].Triangles;
+    }
     self.ColorState.Clear();
     self.Cache = source ? std::make_unique<vtkMTPatchCache>(source) : nullptr;
   }
@@ -279,6 +297,9 @@ void vtkMultiTriangulationMapper::UpdateBufferObjects(vtkRenderer* renderer, vtk
   {
     this->BuildBufferObjects(renderer, actor);
   }
+  this->MeasureRate(actor);
+  this->Implementation->Streams.Apply(this->Implementation->Plan, this->Implementation->Arena);
+  this->Implementation->LessTriangles = 0;
   do
   {
     this->UpdateCut(renderer, actor);
@@ -298,6 +319,8 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
   const int representation = actor->GetProperty()->GetRepresentation();
   plan.Edges = representation == VTK_WIREFRAME;
   plan.PrimitivesPerTriangle = representation == VTK_SURFACE ? 1 : 3;
+  const std::vector<vtkMTArc>& arcs = this->Implementation->Graph().Arcs;
+  plan.ShortIndices = std::all_of(arcs.begin(), arcs.end(), [](const vtkMTArc& arc) { return arc.Wedges <= 65536; });
   this->PlanColors();
   this->PlanAttributes(actor);
   this->UpdateColorRevision();
@@ -311,11 +334,14 @@ void vtkMultiTriangulationMapper::UpdateCut(vtkRenderer* renderer, vtkActor* act
   Internals& self = *this->Implementation;
   vtkMTExtraction::Settings settings;
   settings.PixelError = this->PixelError;
-  settings.TriangleBudget = static_cast<std::uint64_t>(this->TriangleBudget);
+  settings.TriangleBudget = this->GetTriangleLimit(actor);
   settings.ErrorChoice = this->ErrorChoice == EDGE_LENGTH ? vtkMTExtraction::EdgeLength : vtkMTExtraction::Distance;
   settings.FrustumCulling = this->FrustumCulling && !vtkMTRendererView::IsStereo(renderer);
   self.View = vtkMTRendererView::Make(renderer, actor);
-  self.Cut = &self.Keeper.Update(renderer, self.View, settings, this->FreezeCut);
+  // A frozen cut that does not fit cannot stay.
+  const vtkMTExtraction::Result* before = self.Keeper.GetLast();
+  self.Cut = &self.Keeper.Update(renderer, self.View, settings, this->FreezeCut && self.LessTriangles == 0);
+  this->NumberOfCuts += self.Cut != before;
   this->UpdateOrigin(renderer, actor);
 
   this->Triangles = static_cast<vtkIdType>(self.Cut->Triangles);
@@ -354,7 +380,6 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
 {
   Internals& self = *this->Implementation;
   const vtkMTGraph& graph = self.Graph();
-  self.Streams.Apply(self.Plan, self.Arena);
   self.Cache->SetArrays(self.Streams.GetArrays(graph));
   if (self.Cache->GetLimit() != static_cast<std::size_t>(this->PatchMemoryLimit))
   {
@@ -367,6 +392,7 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
   {
     vertices += graph.Arcs[arc].Wedges;
   }
+  self.Arena.SetLimit(this->GetGraphicsLimit());
   self.Arena.BeginFrame(vertices, self.Cut->Triangles);
   const vtkMTPatchStreams::Mapping mapping = [this](
                                                int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
@@ -375,14 +401,20 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
   for (const std::uint32_t arc : self.Cut->Arcs)
   {
     const vtkMTArc& record = graph.Arcs[arc];
-    vtkMTPatchArena::Slot& slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
-    if (!self.Streams.IsStale(self.Arena, slot))
+    vtkMTPatchArena::Slot* slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
+    if (!slot && self.Cut->NodesRefined > 0)
+    {
+      // Patches are more uneven than the limit on triangles takes them to be.
+      self.LessTriangles = self.Cut->Triangles - self.Cut->Triangles / 8;
+      return false;
+    }
+    if (!slot || !self.Streams.IsStale(self.Arena, *slot))
     {
       continue;
     }
     self.Cache->Request({ arc });
     const vtkMTPatchCache::PatchPointer patch = self.Cache->Get(arc);
-    if (!patch || !IsSound(*patch, record) || !self.Streams.Upload(self.Arena, slot, graph, *patch, mapping))
+    if (!patch || !IsSound(*patch, record) || !self.Streams.Upload(self.Arena, *slot, graph, *patch, mapping))
     {
       self.Arena.Drop(arc);
       if (self.Keeper.MarkUnreadable(arc))

@@ -132,6 +132,30 @@ public:
 
   ///@{
   /**
+   * Bytes that buffers on the GPU take at most, copies while they grow included. Default 512 MiB; negative values are
+   * clamped to 0. The cut becomes coarser where its patches need more than three quarters of it. The coarsest cut is
+   * drawn in any case, so what that needs is the least limit there is.
+   */
+  vtkSetClampMacro(GraphicsMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(GraphicsMemoryLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * How many triangles are drawn in a second, by which the time that a renderer allows the actor becomes a number of
+   * triangles; see vtkProp::GetAllocatedRenderTime, which a window's DesiredUpdateRate leads to. Default 0: measured,
+   * by the clock, in the frames before. Negative values are clamped to 0. While the camera is still, an interactor asks
+   * for 0.0001 frames per second, and without one that is what a window asks for anyway, so then there is all the time
+   * that PixelError needs; a picture depends on the clock only where a frame rate is asked for and nothing is set here.
+   */
+  vtkSetClampMacro(TrianglesPerSecond, double, 0.0, 1e15);
+  vtkGetMacro(TrianglesPerSecond, double);
+  /// What budgets are made of now, measured or set; 0 while nothing has been measured.
+  double GetDrawingRate();
+  ///@}
+
+  ///@{
+  /**
    * Figures of the last frame. AchievedPixelError bounds, in pixels, how far anything in the picture is from where the
    * input would put it, whatever ErrorChoice says; it is infinite where the camera is closer to the surface than the
    * error. Converged: nothing that can be seen is above PixelError. Times are seconds: CutTime of the last new cut;
@@ -149,9 +173,12 @@ public:
   ///@}
 
   ///@{
-  /// Bytes of the GPU's buffers, and of patches in main memory.
+  /// Bytes of the GPU's buffers, now and at most since the window was opened, and of patches in main memory.
   vtkIdType GetGraphicsMemory();
+  vtkIdType GetMostGraphicsMemory();
   vtkIdType GetPatchMemory();
+  /// Cuts that were looked for, in this mapper's life: one for each view of a frame, however many passes draw it.
+  vtkGetMacro(NumberOfCuts, vtkIdType);
   /// Patches read, and bytes sent to the GPU, since the input was set.
   vtkIdType GetNumberOfReads();
   vtkIdType GetNumberOfUploadedBytes();
@@ -210,6 +237,11 @@ private:
   void ForgetColors();
   void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
   bool UpdatePatches();
+  std::uint64_t GetTriangleLimit(vtkActor* actor);
+  std::uint64_t GetTrianglesOfTime(double seconds);
+  std::uint64_t GetTrianglesOfMemory();
+  std::uint64_t GetGraphicsLimit();
+  void MeasureRate(vtkActor* actor);
   void UpdateCellTextures(vtkRenderer* renderer);
   void UpdateOrigin(vtkRenderer* renderer, vtkActor* actor);
   void SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
@@ -228,6 +260,8 @@ private:
   bool FreezeCut = false;
   int ColorBy = NONE;
   vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
+  vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
+  double TrianglesPerSecond = 0.0;
 
   vtkIdType Triangles = 0;
   vtkIdType Patches = 0;
@@ -235,6 +269,7 @@ private:
   vtkIdType RefinedNodes = 0;
   double AchievedPixelError = 0.0;
   bool Converged = false;
+  vtkIdType NumberOfCuts = 0;
   double CutTime = 0.0;
   double FrameTime = 0.0;
 

@@ -46,6 +46,9 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
   }
   this->DrawingVertices = false;
   this->DrawingSelection = false;
+  Internals& self = *this->Implementation;
+  const auto start = std::chrono::steady_clock::now();
+  self.Timer.ReusableStart();
   GLenum mode = static_cast<GLenum>(this->GetOpenGLMode(property->GetRepresentation(), PrimitiveTris));
   if (this->PointPicking)
   {
@@ -59,6 +62,11 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
   {
     this->DrawVertices(renderer, actor);
   }
+  // Where the CPU draws, its clock says more; where a GPU does, its own.
+  self.Timer.ReusableStop();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  this->TimeToDraw = std::max<double>(seconds.count(), self.Timer.GetReusableElapsedSeconds());
+  self.DrawSeconds += this->TimeToDraw;
 }
 
 //------------------------------------------------------------------------------
@@ -100,6 +108,8 @@ void vtkMultiTriangulationMapper::DrawAtOnce(unsigned int mode)
 {
   const Internals& self = *this->Implementation;
   const auto perTriangle = static_cast<std::uint64_t>(self.GetIndicesPerTriangle());
+  const auto bytesPerIndex = static_cast<std::uint64_t>(self.GetBytesPerIndex());
+  const GLenum type = self.Plan.ShortIndices ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
   std::vector<GLsizei> counts;
   std::vector<const void*> places;
   std::vector<GLint> bases;
@@ -108,12 +118,12 @@ void vtkMultiTriangulationMapper::DrawAtOnce(unsigned int mode)
     if (const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc))
     {
       counts.push_back(static_cast<GLsizei>(slot->Triangles * perTriangle));
-      places.push_back(ToPointer(slot->FirstTriangle * perTriangle * sizeof(std::uint32_t)));
+      places.push_back(ToPointer(slot->FirstTriangle * perTriangle * bytesPerIndex));
       bases.push_back(static_cast<GLint>(slot->FirstVertex));
     }
   }
   glMultiDrawElementsBaseVertex(
-    mode, counts.data(), GL_UNSIGNED_INT, places.data(), static_cast<GLsizei>(counts.size()), bases.data());
+    mode, counts.data(), type, places.data(), static_cast<GLsizei>(counts.size()), bases.data());
 }
 
 //------------------------------------------------------------------------------
@@ -122,6 +132,8 @@ void vtkMultiTriangulationMapper::DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned
 {
   const Internals& self = *this->Implementation;
   const auto perTriangle = static_cast<std::uint64_t>(self.GetIndicesPerTriangle());
+  const auto bytesPerIndex = static_cast<std::uint64_t>(self.GetBytesPerIndex());
+  const GLenum type = self.Plan.ShortIndices ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
   const auto program = static_cast<GLuint>(cellBO.Program->GetHandle());
   const GLint offset = glGetUniformLocation(program, "PrimitiveIDOffset");
   const GLint color = this->ColorBy != NONE ? glGetAttribLocation(program, ColorAttribute) : -1;
@@ -138,8 +150,8 @@ void vtkMultiTriangulationMapper::DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned
     {
       glVertexAttrib4Nubv(static_cast<GLuint>(color), this->GetPatchColor(arc).data());
     }
-    glDrawElementsBaseVertex(mode, static_cast<GLsizei>(slot->Triangles * perTriangle), GL_UNSIGNED_INT,
-      ToPointer(slot->FirstTriangle * perTriangle * sizeof(std::uint32_t)), static_cast<GLint>(slot->FirstVertex));
+    glDrawElementsBaseVertex(mode, static_cast<GLsizei>(slot->Triangles * perTriangle), type,
+      ToPointer(slot->FirstTriangle * perTriangle * bytesPerIndex), static_cast<GLint>(slot->FirstVertex));
   }
 }
 
@@ -195,7 +207,12 @@ std::uint64_t vtkMultiTriangulationMapper::GetPrimitivesPerTriangle(unsigned int
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
 {
+  const double drawing = this->TimeToDraw;
   this->Superclass::RenderPieceFinish(renderer, actor);
+  if (this->HasPatches())
+  {
+    this->TimeToDraw = drawing; // the superclass measures polydata of many cells only
+  }
   this->FrameTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Implementation->FrameStart).count();
 }

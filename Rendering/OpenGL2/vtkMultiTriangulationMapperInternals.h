@@ -12,6 +12,7 @@
 #include "vtkMTView.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
+#include "vtkOpenGLRenderTimer.h"
 #include "vtkPolyData.h"
 #include "vtkStateStorage.h"
 
@@ -37,8 +38,16 @@ struct vtkMultiTriangulationMapper::Internals
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;
 
+  std::uint64_t Vertices = 0; // of all patches of the source
+  std::uint64_t Triangles = 0;
+  vtkOpenGLRenderTimer Timer;      // of draw calls, on the GPU
+  double DrawSeconds = 0.0;        // of this frame's draw calls so far, all passes
+  double MeasuredRate = 0.0;       // triangles per second
+  std::uint64_t LessTriangles = 0; // a limit for the next cut: the last one did not fit into the arena
+
   const vtkMTGraph& Graph() const { return this->Keeper.GetSource()->GetGraph(); }
   int GetIndicesPerTriangle() const { return this->Plan.Edges ? 6 : 3; }
+  int GetBytesPerIndex() const { return this->Plan.ShortIndices ? 2 : 4; }
 };
 
 #endif

@@ -391,7 +391,7 @@ std::vector<State> GetStates()
     {
       plain(scene);
       property(scene)->SetOpacity(0.4);
-      scene.Actor->RotateX(35.0);
+      scene.Actor->RotateX(-32.0); // nearly edge on: one hill behind the other
     },
     Silhouettes);
   add("OpacityOfCells",

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Time and memory of a frame are what they are allowed to be.
+#include "MTGridModel.h"
+#include "MTPicture.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMTPatchStore.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(double pixelError)
+{
+  vtkNew<vtkMultiTriangulation> input;
+  input->SetSource(MTGridModel().Make());
+  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
+  mapper->SetInputData(input);
+  mapper->SetPixelError(pixelError);
+  mapper->SetScalarRange(-0.15, 0.15);
+  return mapper;
+}
+
+void LookFromTheSide(MTScene& scene)
+{
+  scene.Renderer->ResetCamera();
+  scene.Renderer->GetActiveCamera()->Elevation(-50.0);
+  scene.Renderer->GetActiveCamera()->Zoom(1.3);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+// A path over the model: far, approach, close, turn, pull back.
+void Fly(MTScene& scene, double t)
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.1 + 0.8 * t, -1.5 + 2.0 * t, 1.2 - 1.0 * std::sin(3.14 * t));
+  camera->SetFocalPoint(0.5, 0.5 + 0.3 * t, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+TEST(MapperBudget, DesiredUpdateRateLimitsTriangles)
+{
+  const auto mapper = MakeMapper(0.0);
+  mapper->SetTrianglesPerSecond(2e5);
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  for (const double rate : { 200.0, 50.0, 20.0, 10.0 })
+  {
+    scene.Window->SetDesiredUpdateRate(rate);
+    scene.Render();
+    std::cout << rate << " frames per second: " << mapper->GetTriangles() << " triangles\n";
+    EXPECT_LE(static_cast<double>(mapper->GetTriangles()), 2e5 / rate);
+    EXPECT_GE(static_cast<double>(mapper->GetTriangles()), rate < 100.0 ? 0.6 * 2e5 / rate : 1.0);
+    EXPECT_FALSE(mapper->GetConverged());
+  }
+}
+
+TEST(MapperBudget, StillViewIsRefinedToThePixelError)
+{
+  const auto mapper = MakeMapper(0.3);
+  mapper->SetTrianglesPerSecond(1e5);
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  scene.Window->SetDesiredUpdateRate(30.0);
+  scene.Render();
+  const vtkIdType moving = mapper->GetTriangles();
+  EXPECT_FALSE(mapper->GetConverged());
+  scene.Window->SetDesiredUpdateRate(0.0001); // what an interactor asks for when it rests
+  const auto still = scene.Render();
+  std::cout << moving << " triangles while moving, " << mapper->GetTriangles() << " when still\n";
+  EXPECT_TRUE(mapper->GetConverged());
+  const auto unhurried = MakeMapper(0.3);
+  MTScene other(unhurried);
+  LookFromTheSide(other);
+  EXPECT_EQ(MTDifference::Compare(still, other.Render()).Pixels, 0u);
+}
+
+TEST(MapperBudget, ActorsShareTheTimeOfTheirRenderer)
+{
+  const auto first = MakeMapper(0.0);
+  const auto second = MakeMapper(0.0);
+  MTScene scene(first);
+  vtkNew<vtkActor> other;
+  other->SetMapper(second);
+  other->SetPosition(0.0, 0.0, 0.5);
+  scene.Renderer->AddActor(other);
+  LookFromTheSide(scene);
+  scene.Window->SetDesiredUpdateRate(10.0);
+  for (const auto& mapper : { first, second })
+  {
+    mapper->SetTrianglesPerSecond(3e5);
+  }
+  scene.Render();
+  std::cout << first->GetTriangles() << " and " << second->GetTriangles() << " triangles\n";
+  EXPECT_LE(first->GetTriangles() + second->GetTriangles(), 30000);
+  EXPECT_GT(first->GetTriangles(), 5000);
+  EXPECT_GT(second->GetTriangles(), 5000);
+}
+
+TEST(MapperBudget, RateIsMeasuredWhenNoneIsSet)
+{
+  const auto mapper = MakeMapper(0.0);
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  EXPECT_EQ(mapper->GetDrawingRate(), 0.0);
+  for (int frame = 0; frame < 5; ++frame)
+  {
+    scene.Render();
+  }
+  EXPECT_GT(mapper->GetDrawingRate(), 0.0);
+  const vtkIdType all = mapper->GetTriangles();
+  // So that whatever this machine draws in a second, a tenth of the triangles must do.
+  const double rate = 10.0 * mapper->GetDrawingRate() / static_cast<double>(all);
+  scene.Window->SetDesiredUpdateRate(rate);
+  scene.Render();
+  std::cout << mapper->GetDrawingRate() << " triangles per second; " << all << " triangles, at " << rate
+            << " frames per second " << mapper->GetTriangles() << "\n";
+  EXPECT_LT(mapper->GetTriangles(), all);
+}
+
+TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
+{
+  for (const vtkIdType limit : { 400000, 800000, 1600000 })
+  {
+    const auto mapper = MakeMapper(0.25);
+    mapper->SetGraphicsMemoryLimit(limit);
+    MTScene scene(mapper);
+    std::size_t worst = 0;
+    vtkIdType most = 0;
+    for (int step = 0; step <= 24; ++step)
+    {
+      Fly(scene, step / 24.0);
+      const auto picture = scene.Render();
+      most = std::max(most, mapper->GetTriangles());
+      EXPECT_LE(mapper->GetGraphicsMemory(), limit);
+      vtkNew<vtkPolyData> mesh;
+      ASSERT_TRUE(mapper->GetCut(mesh));
+      vtkNew<vtkPolyDataMapper> reference;
+      reference->SetInputData(mesh);
+      reference->SetScalarRange(mapper->GetScalarRange());
+      MTScene plain(reference);
+      Fly(plain, step / 24.0);
+      worst = std::max(worst, MTDifference::Compare(picture, plain.Render()).ClearlyOff);
+    }
+    std::cout << "limit " << limit << ": at most " << mapper->GetMostGraphicsMemory() << " bytes, " << most
+              << " triangles; " << mapper->GetNumberOfUploadedBytes() << " bytes uploaded, at worst " << worst
+              << " pixels clearly off\n";
+    EXPECT_LE(mapper->GetMostGraphicsMemory(), limit);
+    EXPECT_GT(mapper->GetMostGraphicsMemory(), limit / 4);
+    EXPECT_LE(worst, 6u);
+  }
+}
+
+TEST(MapperBudget, CoarsestCutIsDrawnWhateverTheLimit)
+{
+  const auto mapper = MakeMapper(0.0);
+  mapper->SetGraphicsMemoryLimit(0);
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  const auto picture = scene.Render();
+  EXPECT_EQ(mapper->GetRefinedNodes(), 0);
+  vtkNew<vtkPolyData> mesh;
+  ASSERT_TRUE(mapper->GetCut(mesh));
+  EXPECT_EQ(mesh->GetNumberOfCells(), mapper->GetTriangles());
+  std::cout << mapper->GetTriangles() << " triangles in " << mapper->GetMostGraphicsMemory() << " bytes\n";
+  vtkNew<vtkPolyDataMapper> reference;
+  reference->SetInputData(mesh);
+  reference->SetScalarRange(mapper->GetScalarRange());
+  MTScene plain(reference);
+  LookFromTheSide(plain);
+  EXPECT_LE(MTDifference::Compare(picture, plain.Render()).ClearlyOff, 5u);
+}
+
+TEST(MapperBudget, LoweredLimitTakesEffectInTheNextFrame)
+{
+  const auto mapper = MakeMapper(0.0);
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  scene.Render();
+  const vtkIdType before = mapper->GetGraphicsMemory();
+  mapper->FreezeCutOn();
+  for (const vtkIdType limit : { before / 2, before / 4 })
+  {
+    mapper->SetGraphicsMemoryLimit(limit);
+    scene.Render();
+    std::cout << "limit " << limit << " after " << before << ": " << mapper->GetGraphicsMemory() << " bytes, "
+              << mapper->GetTriangles() << " triangles\n";
+    EXPECT_LE(mapper->GetGraphicsMemory(), limit);
+  }
+}
+
+TEST(MapperBudget, GrowingArenaUploadsNothingTwice)
+{
+  const auto mapper = MakeMapper(0.0);
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  mapper->SetTriangleBudget(2000);
+  vtkIdType last = 0;
+  for (const vtkIdType budget : { 2000, 4000, 9000, 20000, 0 })
+  {
+    mapper->SetTriangleBudget(budget);
+    scene.Render();
+    const vtkIdType uploaded = mapper->GetNumberOfUploadedBytes();
+    std::cout << "budget " << budget << ": " << mapper->GetTriangles() << " triangles, " << mapper->GetGraphicsMemory()
+              << " bytes, " << uploaded - last << " uploaded\n";
+    last = uploaded;
+  }
+  // What a mapper uploads that draws the same at once, and what it drew on the way there.
+  const auto direct = MakeMapper(0.0);
+  MTScene other(direct);
+  LookFromTheSide(other);
+  const auto expected = other.Render();
+  EXPECT_EQ(MTDifference::Compare(scene.Render(), expected).Pixels, 0u);
+  EXPECT_LE(last, 2 * direct->GetNumberOfUploadedBytes());
+}
+}
