@@ -83,7 +83,7 @@ public:
     vtkMTExtraction::Settings half = this->Options;
     half.TimeBudget *= 0.5;
     vtkMTExtraction::Result target = this->Owner.Extraction.Extract(this->In, half);
-    if (target.Complete && this->IsDrawable(target))
+    if (target.Complete && (this->Options.Wait || this->IsDrawable(target)))
     {
       this->Out = Result(std::move(target));
       this->Out.Requests.clear();
@@ -622,7 +622,7 @@ private:
       });
     for (const std::uint32_t arc : this->Out.Arcs)
     {
-      this->Want(arc, this->GetState(arc) == Loaded ? Needed : 0.0, false);
+      this->Want(arc, this->GetState(arc) != Uploaded ? Needed : 0.0, this->Options.Wait);
     }
     if (!this->Out.OnTarget)
     {
@@ -665,25 +665,17 @@ private:
     }
   }
 
-  // What all operations in the two heaps would bring, and what a small turn of the camera would.
+  // What all operations in the two heaps would bring, now and after others, and what a small turn of the camera would.
+  // First the way back: where a budget shrinks, the cut is coarsened at once, and with nothing else there that would be
+  // down to the coarsest one.
   void WantSurroundings()
   {
     for (std::uint32_t node = 1; node < this->Graph.GetSink(); ++node)
     {
-      if (this->Cut.CanCoarsen(node))
-      {
-        this->ForEntering(node, [this](std::uint32_t arc) { this->WantAround(arc, -1.0); });
-      }
-      else if (this->Cut.CanRefine(node))
-      {
-        const double error = this->Views.GetWanted(node);
-        if (error > 0.0)
-        {
-          this->ForLeaving(node, [&](std::uint32_t arc) { this->WantAround(arc, -2.0 - 1.0 / (1.0 + error)); });
-        }
-      }
       if (this->Cut.IsRefined(node))
       {
+        const double level = this->Graph.Nodes[node].Level;
+        this->ForEntering(node, [&](std::uint32_t arc) { this->WantAround(arc, -1.0 + 0.5 * level / (1.0 + level)); });
         this->ForLeaving(node,
           [this](std::uint32_t arc)
           {
@@ -692,6 +684,14 @@ private:
               this->Want(arc, -1.0, true);
             }
           });
+      }
+      else if (this->Cut.CanRefine(node))
+      {
+        const double error = this->Views.GetWanted(node);
+        if (error > 0.0)
+        {
+          this->ForLeaving(node, [&](std::uint32_t arc) { this->WantAround(arc, -2.0 - 1.0 / (1.0 + error)); });
+        }
       }
     }
   }

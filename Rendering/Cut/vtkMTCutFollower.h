@@ -58,8 +58,11 @@ public:
     /// coarsest patches do not count. A patch of more than that is never drawn: it should be a few times what the
     /// largest patch has.
     std::uint64_t UploadBudget = 0;
-    /// Whether patches around the cut are asked for when the frame has time left. Default on.
+    /// Whether patches around the cut are asked for when the frame has time left: the coarser ones on the way back, the
+    /// next finer ones, and those just outside the frustum. Default on.
     bool Prefetch = true;
+    /// Whether to take everything for being there, because somebody will wait for what is not. Default off.
+    bool Wait = false;
   };
 
   struct Input : vtkMTExtraction::Input
