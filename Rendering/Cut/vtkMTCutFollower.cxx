@@ -616,9 +616,11 @@ private:
     {
       return;
     }
+    // Where nobody waits, the coarsest patches must be at hand at any time.
+    const bool atHand = !this->Options.Wait || this->Options.Prefetch;
     this->ForLeaving(this->Graph.GetSource(),
-      [this](std::uint32_t arc) {
-        this->Out.Wants.push_back({ arc, Needed, true });
+      [&](std::uint32_t arc) {
+        this->Out.Wants.push_back({ arc, Needed, atHand });
       });
     for (const std::uint32_t arc : this->Out.Arcs)
     {

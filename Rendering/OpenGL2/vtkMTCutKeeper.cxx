@@ -12,13 +12,30 @@
 
 namespace
 {
-// Clocks are not compared: they do not change what is asked for.
+// Clocks are not compared: they do not change what is asked for. Nor are bytes, see FitsAsWell.
 bool IsSame(const vtkMTCutFollower::Settings& a, const vtkMTCutFollower::Settings& b)
 {
-  return a.PixelError == b.PixelError && a.TriangleBudget == b.TriangleBudget && a.ByteBudget == b.ByteBudget &&
-    a.BytesPerVertex == b.BytesPerVertex && a.BytesPerTriangle == b.BytesPerTriangle && a.TimeBudget == b.TimeBudget &&
+  return a.PixelError == b.PixelError && a.TriangleBudget == b.TriangleBudget && a.TimeBudget == b.TimeBudget &&
     a.ErrorChoice == b.ErrorChoice && a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling &&
     a.UploadBudget == b.UploadBudget && a.Prefetch == b.Prefetch && a.Wait == b.Wait;
+}
+
+// Whether a cut is also what other sizes of vertices and triangles, or another budget of bytes, ask for.
+bool FitsAsWell(const vtkMTGraph& graph, const vtkMTCutFollower::Result& result,
+  const vtkMTCutFollower::Settings& before, const vtkMTCutFollower::Settings& now)
+{
+  if (before.ByteBudget == now.ByteBudget && before.BytesPerVertex == now.BytesPerVertex &&
+    before.BytesPerTriangle == now.BytesPerTriangle)
+  {
+    return true;
+  }
+  std::uint64_t bytes = 0;
+  for (const std::uint32_t arc : result.Arcs)
+  {
+    bytes += std::uint64_t(graph.Arcs[arc].Wedges) * now.BytesPerVertex +
+      std::uint64_t(graph.Arcs[arc].Triangles) * now.BytesPerTriangle;
+  }
+  return result.Converged && (now.ByteBudget == 0 || bytes <= now.ByteBudget);
 }
 }
 
@@ -67,7 +84,8 @@ const vtkMTCutFollower::Result& vtkMTCutKeeper::Update(
   // A patch that turns out unreadable would leave a hole in a frozen cut.
   const bool keepCut = frame.Freeze && kept.Result && kept.Readable == this->ReadableRevision;
   const bool same = kept.Result && kept.Frozen == keepCut && kept.Readable == this->ReadableRevision &&
-    IsSame(kept.Settings, frame.Settings) && vtkMTRendererView::IsSame(kept.View, frame.View);
+    IsSame(kept.Settings, frame.Settings) && vtkMTRendererView::IsSame(kept.View, frame.View) &&
+    FitsAsWell(this->Source->GetGraph(), *kept.Result, kept.Settings, frame.Settings);
   const bool settled = kept.Frozen || (kept.Result && kept.Result->OnTarget);
   if (!same || (frame.Advance && !settled))
   {

@@ -53,6 +53,7 @@ public:
 
   /// True the first time.
   bool MarkUnreadable(std::uint32_t arc);
+  bool IsUnreadable(std::uint32_t arc) const { return this->Resident[arc] == 0; }
 
   /// What Update gave last, or null.
   const vtkMTCutFollower::Result* GetLast() const { return this->Last.get(); }

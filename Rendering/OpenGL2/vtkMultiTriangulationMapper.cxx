@@ -386,18 +386,7 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
 {
   Internals& self = *this->Implementation;
   const vtkMTGraph& graph = self.Graph();
-  std::uint64_t vertices = 0;
-  std::uint64_t triangles = 0;
-  for (const auto* arcs : { &self.Cut->Arcs, &self.Cut->Early })
-  {
-    for (const std::uint32_t arc : *arcs)
-    {
-      vertices += graph.Arcs[arc].Wedges;
-      triangles += graph.Arcs[arc].Triangles;
-    }
-  }
-  self.Arena.SetLimit(this->GetGraphicsLimit());
-  self.Arena.BeginFrame(vertices, triangles);
+  this->BeginUpload();
   bool complete = true;
   for (std::size_t i = 0; i < self.Cut->Arcs.size(); ++i)
   {
@@ -406,8 +395,7 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
     vtkMTPatchArena::Slot* slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
     if (!slot && self.Cut->NodesRefined > 0)
     {
-      // Patches leave more gaps than the limit on bytes allows for.
-      self.LessTriangles = self.Cut->Triangles - self.Cut->Triangles / 8;
+      this->DrawLess();
       return false;
     }
     if (!slot || !self.Streams.IsStale(self.Arena, *slot))
@@ -429,6 +417,11 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
     }
   }
   this->UploadEarlyPatches();
+  if (complete && self.Cut->NodesRefined > 0 && !this->IsUploaded())
+  {
+    this->DrawLess();
+    return false;
+  }
   return complete;
 }
 

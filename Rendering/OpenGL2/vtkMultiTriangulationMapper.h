@@ -322,6 +322,9 @@ private:
   bool GiveUp(std::uint32_t arc);
   bool UploadPatch(std::uint32_t arc, const vtkMTPatch& patch);
   void UploadEarlyPatches();
+  void BeginUpload();
+  bool IsUploaded();
+  void DrawLess();
   void ReportFailures();
   void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
   bool UpdatePatches();

@@ -9,6 +9,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <string>
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulationMapper::GetMostPatchMemory()
@@ -103,7 +104,8 @@ void vtkMultiTriangulationMapper::ReportFailures()
   for (const vtkMTPatchCache::Failure& failure : self.Cache->TakeFailures())
   {
     self.Keeper.MarkUnreadable(failure.Arc);
-    vtkErrorMacro(<< self.Keeper.GetSource()->GetName() << ": " << failure.What);
+    const std::string name = self.Keeper.GetSource()->GetName() + ": ";
+    vtkErrorMacro(<< (failure.What.compare(0, name.size(), name) == 0 ? "" : name) << failure.What);
   }
 }
 
@@ -130,6 +132,57 @@ std::shared_ptr<const vtkMTPatch> vtkMultiTriangulationMapper::FetchPatch(std::s
     self.Cache->Request(missing);
   }
   return self.Cache->Get(arcs[index]);
+}
+
+//------------------------------------------------------------------------------
+// Says to the arena what the frame draws. What of that is on the GPU is used before anything else, so that no room is
+// made for one patch of the frame by dropping another.
+void vtkMultiTriangulationMapper::BeginUpload()
+{
+  Internals& self = *this->Implementation;
+  const vtkMTGraph& graph = self.Graph();
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+  const auto touch = [&]()
+  {
+    vertices = 0;
+    triangles = 0;
+    for (const auto* arcs : { &self.Cut->Arcs, &self.Cut->Early })
+    {
+      for (const std::uint32_t arc : *arcs)
+      {
+        const vtkMTArc& record = graph.Arcs[arc];
+        vertices += record.Wedges;
+        triangles += record.Triangles;
+        if (self.Arena.Find(arc))
+        {
+          self.Arena.Use(arc, record.Wedges, record.Triangles);
+        }
+      }
+    }
+  };
+  touch();
+  self.Arena.SetLimit(this->GetGraphicsLimit());
+  self.Arena.BeginFrame(vertices, triangles);
+  touch();
+}
+
+//------------------------------------------------------------------------------
+// The patches of the cut leave more gaps in the arena than the limit on bytes allows for. The second time with fewer of
+// them; the first time the gaps may have been closed by clearing it.
+void vtkMultiTriangulationMapper::DrawLess()
+{
+  Internals& self = *this->Implementation;
+  self.LessTriangles = self.LessTriangles == 0 ? self.Cut->Triangles : self.Cut->Triangles - self.Cut->Triangles / 8;
+}
+
+//------------------------------------------------------------------------------
+// Whether all of the cut is on the GPU: the arena may have been cleared while patches were being added to it.
+bool vtkMultiTriangulationMapper::IsUploaded()
+{
+  Internals& self = *this->Implementation;
+  return std::all_of(self.Cut->Arcs.begin(), self.Cut->Arcs.end(),
+    [&](std::uint32_t arc) { return self.Frame.IsUploaded(arc) || self.Keeper.IsUnreadable(arc); });
 }
 
 //------------------------------------------------------------------------------
