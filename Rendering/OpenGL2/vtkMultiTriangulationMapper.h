@@ -22,11 +22,11 @@
  *
  * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
  * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
- * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers (vtkCellPicker) see
- * the coarsest cut, whose cell data has the input's cell ids; GetCut gives what was drawn to those who want to pick in
- * that.
+ * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers look at the input's
+ * own cells, which are the coarsest cut's; its cell data has the input's cell ids. With a vtkMultiTriangulationLocator
+ * vtkCellPicker picks in what was drawn, and its cell ids are the input's.
  *
- * @sa vtkMultiTriangulation vtkMTExtraction
+ * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTExtraction
  */
 #ifndef vtkMultiTriangulationMapper_h
 #define vtkMultiTriangulationMapper_h
@@ -37,6 +37,7 @@
 #include <array>
 #include <cstdint>
 #include <memory> // For std::unique_ptr
+#include <vector>
 
 struct vtkMTPatch;
 
@@ -189,6 +190,9 @@ public:
    * event, when nothing has been drawn yet or a patch cannot be read.
    */
   bool GetCut(vtkPolyData* output);
+
+  /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
+  std::vector<std::uint32_t> GetDrawnArcs() const;
 
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
