@@ -18,7 +18,8 @@
  *
  * Scalars: the scalar mode, array name or id, lookup table and range mean what they mean for the coarsest cut, which
  * the input's own points and cells are; arrays that are not part of the model (added by a filter) cannot be coloured
- * by. Normals are the model's active point normals, texture coordinates and tangents likewise.
+ * by. Of an array in the input's field data, the tuple that SetFieldDataTupleId names colours everything. Normals are
+ * the model's active point normals, texture coordinates and tangents likewise.
  *
  * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
  * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
@@ -234,6 +235,7 @@ private:
   void FollowInput();
   void ForgetBuffers();
   void PlanColors();
+  void PlanFieldColor();
   void PlanAttributes(vtkActor* actor);
   void BuildTemplate(vtkRenderer* renderer);
   void UpdateColorRevision();
