@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace
 {
@@ -61,30 +60,13 @@ double BoxDistance2(const bmtPoint& x, const bmtBounds& box)
   }
   return sum;
 }
-
-double Barycentre(const bmtSurface& surface, std::uint32_t triangle, int axis)
-{
-  const bmtTriangle& t = surface.Triangles[triangle];
-  return surface.Points[t[0]][axis] + surface.Points[t[1]][axis] + surface.Points[t[2]][axis];
-}
-
-int LongestAxis(const bmtSurface& surface, const std::uint32_t* first, const std::uint32_t* last)
-{
-  bmtBounds bounds;
-  for (const std::uint32_t* i = first; i != last; ++i)
-  {
-    bounds.Add({ Barycentre(surface, *i, 0), Barycentre(surface, *i, 1), Barycentre(surface, *i, 2) });
-  }
-  const bmtPoint size = Subtract(bounds.Maximum, bounds.Minimum);
-  return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
-}
 }
 
 bmtClosestPoint::bmtClosestPoint(const bmtSurface& surface)
   : Surface(surface)
-  , Order(surface.Triangles.size())
+  , Pieces(surface)
+  , Order(Pieces.List())
 {
-  std::iota(this->Order.begin(), this->Order.end(), 0u);
   while ((this->Order.size() >> this->Depth) > LeafSize)
   {
     ++this->Depth;
@@ -100,6 +82,18 @@ std::size_t bmtClosestPoint::Begin(int depth, std::size_t node) const
   return (this->Order.size() * node) >> depth;
 }
 
+int bmtClosestPoint::GetLongestAxis(const std::uint32_t* first, const std::uint32_t* last) const
+{
+  bmtBounds bounds;
+  for (const std::uint32_t* i = first; i != last; ++i)
+  {
+    bounds.Add(
+      { this->Pieces.GetBarycentre(*i, 0), this->Pieces.GetBarycentre(*i, 1), this->Pieces.GetBarycentre(*i, 2) });
+  }
+  const bmtPoint size = Subtract(bounds.Maximum, bounds.Minimum);
+  return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+}
+
 void bmtClosestPoint::Split()
 {
   for (int depth = 0; depth < this->Depth; ++depth)
@@ -112,12 +106,12 @@ void bmtClosestPoint::Split()
           std::uint32_t* first = this->Order.data() + this->Begin(depth, node);
           std::uint32_t* last = this->Order.data() + this->Begin(depth, node + 1);
           std::uint32_t* middle = this->Order.data() + this->Begin(depth + 1, 2 * node + 1);
-          const int axis = LongestAxis(this->Surface, first, last);
+          const int axis = this->GetLongestAxis(first, last);
           std::nth_element(first, middle, last,
             [this, axis](std::uint32_t a, std::uint32_t b)
             {
-              const double xa = Barycentre(this->Surface, a, axis);
-              const double xb = Barycentre(this->Surface, b, axis);
+              const double xa = this->Pieces.GetBarycentre(a, axis);
+              const double xb = this->Pieces.GetBarycentre(b, axis);
               return xa != xb ? xa < xb : a < b;
             });
         }
@@ -139,10 +133,7 @@ void bmtClosestPoint::Fit()
         }
         for (std::size_t i = this->Begin(this->Depth, leaf); i < this->Begin(this->Depth, leaf + 1); ++i)
         {
-          for (std::uint32_t point : this->Surface.Triangles[this->Order[i]])
-          {
-            this->Boxes[firstLeaf + leaf].Add(this->Surface.Points[point]);
-          }
+          this->Boxes[firstLeaf + leaf].Add(this->Pieces.GetBounds(this->Order[i]));
         }
       }
     });
@@ -166,13 +157,8 @@ bool bmtClosestPoint::IsCopyOfPreviousLeaf(std::size_t leaf) const
   {
     return false;
   }
-  const bmtTriangle& first = this->Surface.Triangles[this->Order[this->Begin(this->Depth, leaf - 1)]];
-  const auto isCopy = [&](std::uint32_t triangle)
-  {
-    const bmtTriangle& t = this->Surface.Triangles[triangle];
-    return std::equal(t.begin(), t.end(), first.begin(),
-      [this](std::uint32_t a, std::uint32_t b) { return this->Surface.Points[a] == this->Surface.Points[b]; });
-  };
+  const std::uint32_t first = this->Order[this->Begin(this->Depth, leaf - 1)];
+  const auto isCopy = [&](std::uint32_t piece) { return this->Pieces.AreEqual(piece, first); };
   return std::all_of(this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin(this->Depth, leaf - 1)),
     this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin(this->Depth, leaf + 1)), isCopy);
 }
@@ -225,10 +211,11 @@ void bmtClosestPoint::SearchLeaf(const bmtPoint& x, std::size_t leaf, Result& be
 {
   for (std::size_t i = this->Begin(this->Depth, leaf); i < this->Begin(this->Depth, leaf + 1); ++i)
   {
-    const double distance2 = this->GetTriangleDistance2(x, this->Order[i]);
-    if (distance2 < best.Distance2 || (distance2 == best.Distance2 && this->Order[i] < best.Triangle))
+    const std::uint32_t triangle = this->Pieces.GetTriangle(this->Order[i]);
+    const double distance2 = this->GetTriangleDistance2(x, triangle);
+    if (distance2 < best.Distance2 || (distance2 == best.Distance2 && triangle < best.Triangle))
     {
-      best = { distance2, this->Order[i] };
+      best = { distance2, triangle };
     }
   }
 }
@@ -252,7 +239,8 @@ bmtClosestPoint::Result bmtClosestPoint::Find(const bmtPoint& x, std::uint32_t h
   };
   Entry stack[128];
   int top = 0;
-  stack[top++] = { 0, BoxDistance2(x, this->Boxes[0]) };
+  const bmtPoint turned = this->Pieces.GetTurn().Apply(x);
+  stack[top++] = { 0, BoxDistance2(turned, this->Boxes[0]) };
   while (top > 0)
   {
     const Entry entry = stack[--top];
@@ -265,8 +253,8 @@ bmtClosestPoint::Result bmtClosestPoint::Find(const bmtPoint& x, std::uint32_t h
       this->SearchLeaf(x, entry.Node - firstLeaf, best);
       continue;
     }
-    Entry near = { 2 * entry.Node + 1, BoxDistance2(x, this->Boxes[2 * entry.Node + 1]) };
-    Entry far = { 2 * entry.Node + 2, BoxDistance2(x, this->Boxes[2 * entry.Node + 2]) };
+    Entry near = { 2 * entry.Node + 1, BoxDistance2(turned, this->Boxes[2 * entry.Node + 1]) };
+    Entry far = { 2 * entry.Node + 2, BoxDistance2(turned, this->Boxes[2 * entry.Node + 2]) };
     if (far.Distance2 < near.Distance2)
     {
       std::swap(near, far);

@@ -3,10 +3,11 @@
  * @class bmtClosestPoint
  * @brief exact closest point queries on a triangle surface
  *
- * A balanced tree of boxes, split at the median of the barycentres along the longest axis, searched nearest first. Why
- * not vtkStaticCellLocator: it passes over triangles without area, loses digits on slivers, and takes time in
- * proportion to the number of cells for every query (26 microseconds at 2 million triangles, 900 at a distance of a
- * fifth of the model), where this takes one or two. The tests hold the two against each other.
+ * A balanced tree of the boxes of the triangles' pieces (bmtSurfacePieces), split at the median of the barycentres
+ * along the longest axis, searched nearest first. Why not vtkStaticCellLocator: it passes over triangles without area,
+ * loses digits on slivers, and takes time in proportion to the number of cells for every query (26 microseconds at 2
+ * million triangles, 900 at a distance of a fifth of the model), where this takes one or two. The tests hold the two
+ * against each other.
  *
  * The distance to a triangle is well conditioned for slivers and triangles without area: it is taken in the
  * cross-section perpendicular to the longest edge, whose error is a rounding of the edge's length, whatever the
@@ -18,6 +19,7 @@
 #define bmtClosestPoint_h
 
 #include "bmtSurface.h"
+#include "bmtSurfacePieces.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -55,11 +57,13 @@ private:
   void Fit();
   bool IsCopyOfPreviousLeaf(std::size_t leaf) const;
   std::size_t Begin(int depth, std::size_t node) const;
+  int GetLongestAxis(const std::uint32_t* first, const std::uint32_t* last) const;
   double GetTriangleDistance2(const bmtPoint& x, std::uint32_t triangle) const;
   void SearchLeaf(const bmtPoint& x, std::size_t leaf, Result& best) const;
 
   const bmtSurface& Surface;
-  std::vector<std::uint32_t> Order; // triangles, leaf by leaf
+  const bmtSurfacePieces Pieces;
+  std::vector<std::uint32_t> Order; // pieces, leaf by leaf
   std::vector<bmtBounds> Boxes;     // complete binary tree: node i has the children 2i + 1 and 2i + 2
   int Depth = 0;                    // of the leaves
 };

@@ -94,9 +94,10 @@ bmtWorkspace::bmtWorkspace(const bmtWorkspaceOptions& options, const std::string
   : Options(options)
   , Output(output)
 {
-  // What is freed is given back: the limit is measured from outside.
-  mallopt(M_MMAP_THRESHOLD, 1 << 18);
-  mallopt(M_TRIM_THRESHOLD, 1 << 20);
+  // What is freed is given back, since the limit is measured from outside; but not blocks of the size that a region
+  // needs, or a fifth of the time goes into pages that come and go.
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 4 << 20);
   mallopt(M_ARENA_MAX, 4);
   const std::uint64_t machine = bmtGetMachineMemory();
   this->Limit = options.Memory.empty() ? machine / 4 : bmtParseSize(options.Memory);

@@ -310,11 +310,13 @@ private:
     std::vector<std::uint32_t>& regions) const
   {
     regions.resize(barycentres.size());
-    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(regions.size());
+    constexpr std::size_t piece = 4096;
+    const std::ptrdiff_t pieces = static_cast<std::ptrdiff_t>((regions.size() + piece - 1) / piece);
 #pragma omp parallel for num_threads(this->Settings.Threads) schedule(static)
-    for (std::ptrdiff_t t = 0; t < count; ++t)
+    for (std::ptrdiff_t i = 0; i < pieces; ++i)
     {
-      regions[t] = partition.Locate(barycentres[t]);
+      const std::size_t begin = static_cast<std::size_t>(i) * piece;
+      partition.LocateAll(barycentres.data() + begin, std::min(piece, regions.size() - begin), regions.data() + begin);
     }
   }
 

@@ -236,10 +236,7 @@ private:
     }
     const std::vector<Barycentre> barycentres = vtkMTBarycentreSpool::GetBarycentres(mesh);
     std::vector<std::uint32_t> regions(barycentres.size());
-    for (std::size_t t = 0; t < regions.size(); ++t)
-    {
-      regions[t] = partition.Locate(barycentres[t]);
-    }
+    partition.LocateAll(barycentres.data(), barycentres.size(), regions.data());
     const double sliver = std::ceil(SliverShare * static_cast<double>(this->Options.PatchTriangles));
     vtkMTSliverMerge::MergeSlivers(partition, barycentres, static_cast<std::size_t>(sliver), regions);
     result.Triangles = mesh.Triangles.size();

@@ -40,6 +40,24 @@ std::string Describe(const vtkMTBuildSettings::ProgressReport& report)
   }
   return text;
 }
+
+/// The number of threads of the parallel loops that the calling thread comes to, while this lives: partitions have no
+/// number of their own.
+class ThreadCount
+{
+public:
+  explicit ThreadCount(int threads)
+    : Before(omp_get_max_threads())
+  {
+    omp_set_num_threads(threads);
+  }
+  ~ThreadCount() { omp_set_num_threads(this->Before); }
+  ThreadCount(const ThreadCount&) = delete;
+  ThreadCount& operator=(const ThreadCount&) = delete;
+
+private:
+  int Before;
+};
 }
 
 vtkMultiTriangulationBuilder::vtkMultiTriangulationBuilder()
@@ -127,7 +145,12 @@ bool vtkMultiTriangulationBuilder::BuildLevels(
   vtkMTBuildSettings settings;
   vtkMTBuildState state;
   std::string identity;
-  if (!this->Configure(input, store, settings) || !this->Begin(settings, input, output, state, identity))
+  if (!this->Configure(input, store, settings))
+  {
+    return false;
+  }
+  const ThreadCount threads(settings.Threads);
+  if (!this->Begin(settings, input, output, state, identity))
   {
     return false;
   }

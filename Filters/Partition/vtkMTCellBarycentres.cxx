@@ -104,6 +104,8 @@ vtkSmartPointer<vtkIdTypeArray> vtkMTCellBarycentres::MakeRegionArray(
   auto regions = vtkSmartPointer<vtkIdTypeArray>::New();
   regions->SetName(name.c_str());
   regions->SetNumberOfTuples(static_cast<vtkIdType>(barycentres.size()));
-  vtkMTLocateBlock::Locate(partition, barycentres.data(), barycentres.size(), regions->GetPointer(0));
+  std::vector<std::uint32_t> located(barycentres.size());
+  vtkMTLocateBlock::Locate(partition, barycentres.data(), barycentres.size(), located.data());
+  std::copy(located.begin(), located.end(), regions->GetPointer(0));
   return regions;
 }

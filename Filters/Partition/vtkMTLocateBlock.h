@@ -10,6 +10,7 @@
 
 #include "vtkMTPartition.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -17,15 +18,16 @@
 class vtkMTLocateBlock
 {
 public:
-  template <typename Id>
   static void Locate(
-    const vtkMTPartition& partition, const std::array<double, 3>* points, std::size_t count, Id* regions)
+    const vtkMTPartition& partition, const std::array<double, 3>* points, std::size_t count, std::uint32_t* regions)
   {
-    const std::int64_t end = static_cast<std::int64_t>(count);
-#pragma omp parallel for schedule(static) if (end > 1024)
-    for (std::int64_t i = 0; i < end; ++i)
+    const std::size_t piece = 1024;
+    const std::int64_t pieces = static_cast<std::int64_t>((count + piece - 1) / piece);
+#pragma omp parallel for schedule(static) if (pieces > 1)
+    for (std::int64_t i = 0; i < pieces; ++i)
     {
-      regions[i] = static_cast<Id>(partition.Locate(points[i]));
+      const std::size_t begin = static_cast<std::size_t>(i) * piece;
+      partition.LocateAll(points + begin, std::min(piece, count - begin), regions + begin);
     }
   }
 };

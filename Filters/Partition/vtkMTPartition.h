@@ -27,6 +27,9 @@ public:
   /// The region of a point: the same for the same coordinates, always. Ties go to the smaller index.
   virtual std::uint32_t Locate(const std::array<double, 3>& x) const = 0;
 
+  /// The same for many points; fast where neighbours in the list are neighbours in space.
+  virtual void LocateAll(const std::array<double, 3>* points, std::size_t count, std::uint32_t* regions) const;
+
   /// The point that stands for the region: its seed.
   virtual std::array<double, 3> GetSeed(std::uint32_t region) const = 0;
 };

@@ -20,6 +20,11 @@ vtkMTSeedPartition::vtkMTSeedPartition(std::vector<std::array<double, 3>> seeds)
   std::vector<std::uint32_t> order(this->Seeds.size());
   std::iota(order.begin(), order.end(), 0u);
   this->BuildBranch(order, 0, 0, leaves);
+  this->Clearance2.resize(this->Seeds.size());
+  for (std::uint32_t region = 0; region < this->Clearance2.size(); ++region)
+  {
+    this->Clearance2[region] = this->GetClearance2(region);
+  }
 }
 
 vtkMTSeedPartition::~vtkMTSeedPartition() = default;
@@ -138,6 +143,50 @@ void vtkMTSeedPartition::SearchLeaf(const Leaf& leaf, const std::array<double, 3
 
 std::uint32_t vtkMTSeedPartition::Locate(const std::array<double, 3>& x) const
 {
+  return this->Search(x, { std::numeric_limits<double>::infinity(), 0 }, SearchLeaf).Region;
+}
+
+void vtkMTSeedPartition::LocateAll(const std::array<double, 3>* points, std::size_t count, std::uint32_t* regions) const
+{
+  // The search begins with the region of the point before: where that is the right one, it ends at once or nearly so.
+  // What is found does not depend on where the search began.
+  std::uint32_t region = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::array<double, 3>& seed = this->Seeds[region];
+    const double dx = seed[0] - points[i][0];
+    const double dy = seed[1] - points[i][1];
+    const double dz = seed[2] - points[i][2];
+    const double distance = dx * dx + dy * dy + dz * dz;
+    if (!(distance < this->Clearance2[region]))
+    {
+      region = distance < std::numeric_limits<double>::infinity()
+        ? this->Search(points[i], { distance, region }, SearchLeaf).Region
+        : this->Locate(points[i]);
+    }
+    regions[i] = region;
+  }
+}
+
+double vtkMTSeedPartition::GetClearance2(std::uint32_t region) const
+{
+  const auto lookAtOthers = [region](const Leaf& leaf, const std::array<double, 3>& x, Best& best)
+  {
+    Leaf others = leaf;
+    for (std::size_t i = 0; i < LeafSize; ++i)
+    {
+      others.X[i] = others.Region[i] == region ? std::numeric_limits<double>::infinity() : others.X[i];
+    }
+    SearchLeaf(others, x, best);
+  };
+  const Best other = this->Search(this->Seeds[region], { std::numeric_limits<double>::infinity(), 0 }, lookAtOthers);
+  // Half the way to the nearest other seed, less more than all roundings together; nothing where squares underflow.
+  return other.Distance > 1e-280 ? 0.25 * (1.0 - 1e-12) * other.Distance : 0.0;
+}
+
+template <typename Look>
+vtkMTSeedPartition::Best vtkMTSeedPartition::Search(const std::array<double, 3>& x, Best best, Look&& look) const
+{
   // A subtree that may hold something nearer: its squared distance and, by axis, how far x is outside its cell.
   struct Pending
   {
@@ -147,7 +196,6 @@ std::uint32_t vtkMTSeedPartition::Locate(const std::array<double, 3>& x) const
   };
   Pending stack[32]; // more than the depth of a tree of 2^32 seeds
   int pending = 0;
-  Best best = { std::numeric_limits<double>::infinity(), 0 };
   std::array<double, 3> outside = { 0.0, 0.0, 0.0 };
   std::size_t node = 0;
   for (;;)
@@ -166,12 +214,12 @@ std::uint32_t vtkMTSeedPartition::Locate(const std::array<double, 3>& x) const
       }
       node = 2 * node + (upper ? 2 : 1);
     }
-    SearchLeaf(this->Leaves[node - this->Branches.size()], x, best);
+    look(this->Leaves[node - this->Branches.size()], x, best);
     do
     {
       if (pending == 0)
       {
-        return best.Region;
+        return best;
       }
       --pending;
     } while (stack[pending].Bound > best.Distance);

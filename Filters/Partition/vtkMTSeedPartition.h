@@ -32,6 +32,7 @@ public:
 
   std::uint32_t GetNumberOfRegions() const override;
   std::uint32_t Locate(const std::array<double, 3>& x) const override;
+  void LocateAll(const std::array<double, 3>* points, std::size_t count, std::uint32_t* regions) const override;
   std::array<double, 3> GetSeed(std::uint32_t region) const override;
 
   const std::vector<std::array<double, 3>>& GetSeeds() const { return this->Seeds; }
@@ -63,6 +64,9 @@ private:
   void FillLeaf(std::vector<std::uint32_t>& order, std::size_t leaf);
   std::size_t GetLeafBegin(std::size_t leaf) const;
   std::uint32_t GetWidestAxis(const std::uint32_t* begin, const std::uint32_t* end) const;
+  template <typename Look>
+  Best Search(const std::array<double, 3>& x, Best best, Look&& look) const;
+  double GetClearance2(std::uint32_t region) const;
   static void SearchLeaf(const Leaf& leaf, const std::array<double, 3>& x, Best& best);
 
   std::vector<std::array<double, 3>> Seeds;
@@ -70,6 +74,8 @@ private:
   // the branches in the same numbering.
   std::vector<Branch> Branches;
   std::vector<Leaf> Leaves;
+  /// By region: a point whose squared distance to the seed is less is nearer to it than to any other seed.
+  std::vector<double> Clearance2;
 };
 
 #endif

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTEdgeCollapse
- * @brief simplification by edge collapse with CGAL, under locks, seams and any topology
+ * @brief simplification by edge collapse, under locks, seams and any topology
  *
- * The cheapest edge is collapsed until the target is reached (Hoppe, "Progressive Meshes", 1996), by CGAL's
- * edge_collapse(). The floor is made an oriented manifold first: its points are split into fans where they must be, and
- * everything non-manifold keeps its place. A collapse is refused when it would break the link condition, turn a
- * triangle by a right angle or more, lay two neighbouring triangles back to back, or join two locked points by a new
- * edge (two regions might each make that edge). Where seams run, collapses follow them, so every triangle keeps
- * attributes of one side. Closed components end as tetrahedra at the least. When a floor stays above its target, small
- * holes are closed, which no outside triangle touches and which have shrunk to three edges; then whole small components
- * are left out (see vtkMTComponentRemoval), and what remains is counted by cause.
+ * The cheapest edge is collapsed until the target is reached (Hoppe, "Progressive Meshes", 1996). The floor is made an
+ * oriented manifold first: its points are split into fans where they must be, and everything non-manifold keeps its
+ * place. A collapse is refused when it would break the link condition, turn a triangle by a right angle or more, lay
+ * two neighbouring triangles back to back, or join two locked points by a new edge (two regions might each make that
+ * edge). Where seams run, collapses follow them, so every triangle keeps attributes of one side. Closed components end
+ * as tetrahedra at the least. When a floor stays above its target, small holes are closed, which no outside triangle
+ * touches and which have shrunk to three edges; then whole small components are left out (see vtkMTComponentRemoval),
+ * and what remains is counted by cause.
  *
  * Modes. FAST uses memoryless area-weighted quadrics (Garland and Heckbert 1997; Lindstrom and Turk, "Evaluation of
- * Memoryless Simplification", 1999) and asks again, after a collapse, for the costs at the kept vertex only. BEST is
- * the same in CGAL's own loop, which asks for all costs within two rings: three times slower and a few percent nearer
- * to the floor. LINDSTROM_TURK and GARLAND_HECKBERT are CGAL's policies of these names, with the same locks, for
- * comparison.
+ * Memoryless Simplification", 1999) in a loop of the toolkit's own: it asks again, after a collapse, for the costs at
+ * the kept vertex only, and takes edges whose costs differ by less than a thirty-second in no particular order. BEST is
+ * the same in CGAL's edge_collapse(), which asks for all costs within two rings: six times slower and one or two
+ * percent nearer to the floor. LINDSTROM_TURK and GARLAND_HECKBERT are CGAL's policies of these names, with the same
+ * locks, for comparison.
  *
  * This class's implementation includes CGAL, which is under the GPL.
  */

@@ -100,6 +100,7 @@ void vtkMTPatchStreams::Apply(const Plan& plan, vtkMTPatchArena& arena)
       declare(CellColorStream, MakeTriangleFormat(4 * times), GetRevision(plan.ColorRevision), Stream::Color);
       break;
     case NoColors:
+    case OneColor:
       break;
   }
   for (const std::string& old : this->Names)

@@ -37,7 +37,8 @@ public:
     NoColors,
     PointColors,      ///< RGBA per vertex, attribute scalarColor
     PointCoordinates, ///< into the colour texture, attribute tcoord
-    CellColors        ///< RGBA per primitive, a texture buffer
+    CellColors,       ///< RGBA per primitive, a texture buffer
+    OneColor          ///< for everything: no stream, a constant attribute scalarColor
   };
 
   struct Plan

@@ -198,6 +198,13 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::uint32_t> vtkMultiTriangulationMapper::GetDrawnArcs() const
+{
+  const vtkMTExtraction::Result* last = this->Implementation->Keeper.GetLast();
+  return last ? last->Arcs : std::vector<std::uint32_t>();
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::FollowInput()
 {
   Internals& self = *this->Implementation;

@@ -18,15 +18,16 @@
  *
  * Scalars: the scalar mode, array name or id, lookup table and range mean what they mean for the coarsest cut, which
  * the input's own points and cells are; arrays that are not part of the model (added by a filter) cannot be coloured
- * by. Normals are the model's active point normals, texture coordinates and tangents likewise.
+ * by. Of an array in the input's field data, the tuple that SetFieldDataTupleId names colours everything. Normals are
+ * the model's active point normals, texture coordinates and tangents likewise.
  *
  * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
  * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
- * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers (vtkCellPicker) see
- * the coarsest cut, whose cell data has the input's cell ids; GetCut gives what was drawn to those who want to pick in
- * that.
+ * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers look at the input's
+ * own cells, which are the coarsest cut's; its cell data has the input's cell ids. With a vtkMultiTriangulationLocator
+ * vtkCellPicker picks in what was drawn, and its cell ids are the input's.
  *
- * @sa vtkMultiTriangulation vtkMTExtraction
+ * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTExtraction
  */
 #ifndef vtkMultiTriangulationMapper_h
 #define vtkMultiTriangulationMapper_h
@@ -38,6 +39,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory> // For std::unique_ptr
+#include <vector>
 
 struct vtkMTPatch;
 
@@ -268,6 +270,9 @@ public:
    */
   bool GetCut(vtkPolyData* output);
 
+  /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
+  std::vector<std::uint32_t> GetDrawnArcs() const;
+
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   bool HasTranslucentPolygonalGeometry() override;
@@ -308,6 +313,7 @@ private:
   void FollowInput();
   void ForgetBuffers();
   void PlanColors();
+  void PlanFieldColor();
   void PlanAttributes(vtkActor* actor);
   void BuildTemplate(vtkRenderer* renderer);
   void UpdateColorRevision();

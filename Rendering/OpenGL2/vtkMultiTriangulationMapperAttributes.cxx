@@ -44,6 +44,10 @@ void vtkMultiTriangulationMapper::PlanColors()
     int cellFlag = 0;
     vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
       this->GetInput(), this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+    if (cellFlag == 2)
+    {
+      this->PlanFieldColor();
+    }
     if (scalars && scalars->GetName() && cellFlag < 2)
     {
       plan.Scalars = vtkMTPatchAttributes::FindArray(this->Implementation->Graph(), scalars->GetName(),
@@ -74,6 +78,19 @@ void vtkMultiTriangulationMapper::PlanColors()
   {
     this->ColorTextureMap->UnRegister(this);
     this->ColorTextureMap = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A tuple of an array in the input's field data colours everything.
+void vtkMultiTriangulationMapper::PlanFieldColor()
+{
+  this->ForgetColors();
+  this->MapScalars(1.0);
+  if (this->Colors && this->FieldDataTupleId >= 0 && this->FieldDataTupleId < this->Colors->GetNumberOfTuples())
+  {
+    this->Colors->GetTypedTuple(this->FieldDataTupleId, this->Implementation->FieldColor.data());
+    this->Implementation->Plan.Coloring = vtkMTPatchStreams::OneColor;
   }
 }
 
@@ -158,7 +175,8 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
     one->Fill(0.0);
     declare(floats.Attribute, one);
   }
-  if (plan.Coloring == vtkMTPatchStreams::PointColors || this->ColorBy != NONE)
+  if (plan.Coloring == vtkMTPatchStreams::PointColors || plan.Coloring == vtkMTPatchStreams::OneColor ||
+    this->ColorBy != NONE)
   {
     vtkNew<vtkUnsignedCharArray> one;
     one->SetNumberOfComponents(4);

@@ -90,7 +90,16 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
       ->GetState()
       ->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
   }
-  self.Arena.Bind(cellBO.Program, this->ColorBy != NONE ? ColorAttribute : "");
+  const bool oneColor = self.Plan.Coloring == vtkMTPatchStreams::OneColor;
+  self.Arena.Bind(cellBO.Program, this->ColorBy != NONE || oneColor ? ColorAttribute : "");
+  if (oneColor)
+  {
+    const GLint color = glGetAttribLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), ColorAttribute);
+    if (color >= 0)
+    {
+      glVertexAttrib4Nubv(static_cast<GLuint>(color), self.FieldColor.data());
+    }
+  }
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(indices->GetHandle()));
   if (this->ColorBy != NONE || cellBO.Program->IsUniformUsed("PrimitiveIDOffset"))
   {

@@ -29,6 +29,7 @@ struct vtkMultiTriangulationMapper::Internals
   vtkMTPatchArena Arena;
   vtkMTPatchStreams Streams;
   vtkMTPatchStreams::Plan Plan;
+  std::array<unsigned char, 4> FieldColor{ 255, 255, 255, 255 }; // of everything, where Plan says so
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
   bool DrewPatches = false;

@@ -69,6 +69,21 @@ void WaitForHandler(pid_t child)
   execv(BMT_EXECUTABLE, argv.data());
   _exit(127);
 }
+
+/// Ends without a signal when the child has ended.
+void InterruptWhen(pid_t child, const std::function<bool()>& condition)
+{
+  siginfo_t ended{};
+  while (!condition())
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == child)
+    {
+      return;
+    }
+  }
+  kill(child, SIGINT);
+}
 }
 
 nlohmann::json MTRun::Json() const
@@ -112,6 +127,10 @@ MTRun MTBmtTest::Bmt(const std::vector<std::string>& arguments, const MTRunOptio
     kill(child, SIGINT);
   }
   int status = 0;
+  if (options.InterruptWhen)
+  {
+    InterruptWhen(child, options.InterruptWhen);
+  }
   while (waitpid(child, &status, 0) < 0 && errno == EINTR)
   {
   }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct MTRunOptions
 {
   std::vector<std::string> Environment; ///< NAME=VALUE, or NAME to take it away
   int InterruptAfterMilliseconds = -1;  ///< send SIGINT so long after the program is up
+  std::function<bool()> InterruptWhen;  ///< send SIGINT as soon as this is true; asked every millisecond
 };
 
 /// A new, empty folder for each test; its files are removed when the test passed.

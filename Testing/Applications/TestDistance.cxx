@@ -172,6 +172,78 @@ TEST(ClosestPoint, IsAccurateForSliversAndTrianglesWithoutArea)
   EXPECT_LT(worst, 1e-14);
 }
 
+namespace
+{
+// Needles askew through the unit cube, some of them without area, between many small triangles.
+bmtSurface MakeNeedles(std::size_t needles, std::size_t small, unsigned int seed)
+{
+  MTTestMeshes::Random random(seed);
+  bmtSurface surface;
+  const auto at = [&random](const bmtPoint& center, double reach)
+  {
+    bmtPoint x = center;
+    for (double& coordinate : x)
+    {
+      coordinate += random.Uniform(-reach, reach);
+    }
+    return x;
+  };
+  for (std::size_t i = 0; i < needles + small; ++i)
+  {
+    const std::uint32_t first = static_cast<std::uint32_t>(surface.Points.size());
+    const bmtPoint a = at({ 0, 0, 0 }, 1.0);
+    const bmtPoint b = i < needles ? at({ 0, 0, 0 }, 1.0) : at(a, 1e-3);
+    surface.Points.insert(surface.Points.end(), { a, b, i % 5 == 0 ? a : at(b, 1e-3) });
+    surface.Triangles.push_back({ first, first + 1, first + 2 });
+  }
+  return surface;
+}
+}
+
+TEST(ClosestPoint, NeedlesAreCutAndFoundWhole)
+{
+  for (const std::size_t needles : { 3, 200, 2000 })
+  {
+    const bmtSurface surface = MakeNeedles(needles, 2000, static_cast<unsigned int>(needles));
+    const bmtSurfacePieces pieces(surface);
+    const std::vector<std::uint32_t> list = pieces.List();
+    double largest = 0.0;
+    std::vector<unsigned char> isThere(surface.Triangles.size(), 0);
+    for (const std::uint32_t piece : list)
+    {
+      largest = std::max(largest, pieces.GetBounds(piece).GetDiagonal());
+      isThere[pieces.GetTriangle(piece)] = 1;
+    }
+    std::cout << needles << " needles: " << surface.Triangles.size() << " triangles, " << list.size()
+              << " pieces, the largest box " << largest << "\n";
+    EXPECT_EQ(std::count(isThere.begin(), isThere.end(), 0), 0);
+    EXPECT_GT(list.size(), surface.Triangles.size());
+    EXPECT_LE(list.size(), 3 * surface.Triangles.size());
+    EXPECT_LT(largest, 2.0) << "a needle is up to 3.4 long";
+    const bmtClosestPoint search(surface);
+    MTTestMeshes::Random random(9);
+    for (int i = 0; i < 300; ++i)
+    {
+      const bmtPoint x = { random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5) };
+      double least = HUGE_VAL;
+      for (const bmtTriangle& t : surface.Triangles)
+      {
+        least = std::min(
+          least, bmtClosestPoint::GetDistance2(x, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]));
+      }
+      EXPECT_EQ(search.Find(x).Distance2, least);
+    }
+  }
+}
+
+TEST(ClosestPoint, EqualNeedlesAreFoundQuickly)
+{
+  bmtSurface surface = MakeNeedles(1, 100, 1);
+  surface.Triangles.insert(surface.Triangles.end(), 3000, surface.Triangles.front());
+  const bmtClosestPoint search(surface);
+  EXPECT_EQ(search.Find(surface.Points[0]).Triangle, 0u) << "ties go to the smaller index";
+}
+
 TEST(ClosestPoint, HandlesAnythingFromNothingToCoincidentTriangles)
 {
   bmtSurface surface;

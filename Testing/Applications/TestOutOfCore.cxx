@@ -134,8 +134,20 @@ TEST_F(OutOfCore, InterruptedBuildSaysHowToGoOnAndDoes)
   this->MakeSphere(327680);
   this->BmtJson(this->BuildCall({}, "core.bmt"));
   MTRunOptions options;
-  options.InterruptAfterMilliseconds = 3500;
-  std::filesystem::create_directories(this->Folder / "temp");
+  const std::filesystem::path temp = this->Folder / "temp";
+  std::filesystem::create_directories(temp);
+  options.InterruptWhen = [&temp]
+  {
+    std::error_code code;
+    for (const auto& entry : std::filesystem::directory_iterator(temp, code))
+    {
+      if (vtkMTFileSpoolStore::HasState(entry.path().string()))
+      {
+        return true;
+      }
+    }
+    return false;
+  };
   const std::vector<std::string> way{ "--temp", this->Path("temp"), "--threads", "1" };
   const MTRun run = this->Bmt(this->BuildCall(way), options);
   ASSERT_EQ(run.Exit, 130) << run.Out << run.Err;

@@ -5,7 +5,7 @@
 usage: data_table.py BIN WORK MESH [MESH ...] [--cuts N] [--keep]
 
 BIN holds bmt. A mesh that bmt refuses is listed with its message: whether that is right is for the reader to judge.
-Run it under xvfb-run where there is no display.
+Run it under CMake/with-display where there is no display.
 """
 import argparse
 import json

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// meshopt_yardstick INPUT OUTPUT TRIANGLES: simplifies a whole mesh in memory with meshoptimizer, to compare a cut
-// with.
+// meshopt_yardstick INPUT OUTPUT TRIANGLES [--lock-border]: simplifies a whole mesh in memory with meshoptimizer, to
+// compare a cut or a build with.
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshWriter.h"
 
@@ -13,6 +13,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -67,10 +68,10 @@ void SetTriangles(const std::vector<float>& positions, const std::vector<unsigne
 
 int main(int argc, char* argv[])
 {
-  const std::size_t target = argc == 4 ? std::strtoull(argv[3], nullptr, 10) : 0;
+  const std::size_t target = argc == 4 || argc == 5 ? std::strtoull(argv[3], nullptr, 10) : 0;
   if (target == 0)
   {
-    std::fprintf(stderr, "usage: meshopt_yardstick INPUT OUTPUT TRIANGLES\n");
+    std::fprintf(stderr, "usage: meshopt_yardstick INPUT OUTPUT TRIANGLES [--lock-border]\n");
     return 2;
   }
   vtkNew<vtkPolyData> mesh;
@@ -88,9 +89,10 @@ int main(int argc, char* argv[])
     return 1;
   }
   std::vector<unsigned int> simplified(indices.size());
+  const unsigned int options = argc > 4 && std::strcmp(argv[4], "--lock-border") == 0 ? meshopt_SimplifyLockBorder : 0;
   const std::clock_t start = std::clock();
   simplified.resize(meshopt_simplify(simplified.data(), indices.data(), indices.size(), positions.data(),
-    positions.size() / 3, 3 * sizeof(float), 3 * target, 1e30f));
+    positions.size() / 3, 3 * sizeof(float), 3 * target, 1e30f, options));
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   vtkNew<vtkPolyData> result;
   SetTriangles(positions, simplified, result);

@@ -34,10 +34,13 @@ std::uint32_t FindNearest(const Points& seeds, const Point& x)
 std::size_t CountWrong(const Points& seeds, const Points& queries)
 {
   const vtkMTSeedPartition partition(seeds);
+  std::vector<std::uint32_t> regions(queries.size());
+  partition.LocateAll(queries.data(), queries.size(), regions.data());
   std::size_t wrong = 0;
-  for (const Point& x : queries)
+  for (std::size_t i = 0; i < queries.size(); ++i)
   {
-    wrong += partition.Locate(x) != FindNearest(seeds, x) ? 1 : 0;
+    const std::uint32_t nearest = FindNearest(seeds, queries[i]);
+    wrong += partition.Locate(queries[i]) != nearest || regions[i] != nearest ? 1 : 0;
   }
   return wrong;
 }
@@ -110,6 +113,12 @@ TEST(SeedPartition, PointsThatAreNotFiniteAreInRegionZero)
   EXPECT_EQ(partition.Locate({ infinity, 0.5, 0.5 }), 0u);
   EXPECT_EQ(partition.Locate({ 0.5, -infinity, nan }), 0u);
   EXPECT_EQ(partition.Locate({ 1e300, 1e300, 0.5 }), 0u);
+  const Points points = { { 0.9, 0.9, 0.9 }, { nan, 0.5, 0.5 }, { 0.1, 0.2, 0.3 }, { 1e300, 1e300, 0.5 } };
+  std::vector<std::uint32_t> regions(points.size());
+  partition.LocateAll(points.data(), points.size(), regions.data());
+  EXPECT_EQ(regions[1], 0u);
+  EXPECT_EQ(regions[2], partition.Locate(points[2]));
+  EXPECT_EQ(regions[3], 0u);
 }
 
 TEST(SeedPartition, TimeOfLocateIsMeasured)

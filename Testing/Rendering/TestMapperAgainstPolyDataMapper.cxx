@@ -6,6 +6,8 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
@@ -433,6 +435,21 @@ std::vector<State> GetStates()
       scene.Mapper->SelectColorArray(0);
       scene.Mapper->SetScalarRange(-0.15, 0.15);
     });
+  add("FieldDataTuple",
+    [](MTScene& scene)
+    {
+      vtkNew<vtkFloatArray> kinds;
+      kinds->SetName("Kind");
+      for (const float kind : { 0.0f, 1.0f, 2.0f, 3.0f })
+      {
+        kinds->InsertNextValue(kind);
+      }
+      scene.Mapper->GetInputAsDataSet()->GetFieldData()->AddArray(kinds);
+      scene.Mapper->SetScalarModeToUseFieldData();
+      scene.Mapper->SelectColorArray("Kind");
+      scene.Mapper->SetFieldDataTupleId(1);
+      scene.Mapper->SetScalarRange(0.0, 3.0);
+    });
   add("Logarithmic",
     [](MTScene& scene)
     {
@@ -504,6 +521,7 @@ std::vector<State> GetStates()
       scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
       scene.Renderer->GetActiveCamera()->Zoom(4.0);
     });
+  // Crystal eyes draw these two eyes, left and right, into buffers that a virtual display does not have.
   for (const int type : { VTK_STEREO_RED_BLUE, VTK_STEREO_ANAGLYPH, VTK_STEREO_LEFT, VTK_STEREO_RIGHT,
          VTK_STEREO_INTERLACED, VTK_STEREO_SPLITVIEWPORT_HORIZONTAL })
   {

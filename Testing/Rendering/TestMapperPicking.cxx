@@ -14,7 +14,9 @@
 #include "vtkInformation.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationLocator.h"
 #include "vtkMultiTriangulationMapper.h"
+#include "vtkPlane.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -26,6 +28,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <set>
@@ -160,5 +163,83 @@ TEST(Picking, CellPickerFindsInputCellsThroughTheCoarsestCut)
             << "\n";
   EXPECT_GE(cell, 0);
   EXPECT_LT(cell, 2 * 128 * 128);
+}
+
+// The id of the cell that the picker finds under a pixel's centre, or -1.
+vtkIdType PickCell(vtkCellPicker* picker, MTScene& scene, int x, int y)
+{
+  return picker->Pick(x + 0.5, y + 0.5, 0.0, scene.Renderer) ? picker->GetCellId() : -1;
+}
+
+TEST(Picking, CellPickerWithTheLocatorFindsTheDrawnTrianglesInputCells)
+{
+  for (const double pixelError : { 0.0, 2.0 })
+  {
+    vtkNew<vtkMultiTriangulationMapper> mapper;
+    mapper->SetInputData(MakeInput());
+    mapper->SetPixelError(pixelError);
+    MTScene scene(mapper);
+    scene.Actor->SetScale(1.0, 1.5, 0.8);
+    scene.Actor->RotateZ(15.0);
+    LookFromTheSide(scene);
+    scene.Render();
+    vtkNew<vtkMultiTriangulationLocator> locator;
+    locator->SetMapper(mapper);
+    vtkNew<vtkCellPicker> picker;
+    picker->AddLocator(locator);
+    vtkNew<vtkHardwareSelector> selector;
+    selector->SetRenderer(scene.Renderer);
+    selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+    selector->SetArea(0, 0, 299, 299);
+    ASSERT_TRUE(selector->CaptureBuffers());
+    int picked = 0;
+    int same = 0;
+    double farthest = 0.0;
+    for (unsigned int y = 20; y < 290; y += 15)
+    {
+      for (unsigned int x = 20; x < 290; x += 15)
+      {
+        const unsigned int pixel[2] = { x, y };
+        const vtkHardwareSelector::PixelInformation info = selector->GetPixelInformation(pixel);
+        const vtkIdType cell = PickCell(picker, scene, static_cast<int>(x), static_cast<int>(y));
+        EXPECT_EQ(cell >= 0, info.Valid) << x << ", " << y;
+        if (cell < 0 || !info.Valid)
+        {
+          continue;
+        }
+        ++picked;
+        same += cell == info.AttributeID;
+        const double* place = picker->GetMapperPosition();
+        farthest = std::max(farthest, std::abs(place[2] - MTGridModel::GetHeight(place[0], place[1])));
+        EXPECT_GT(picker->GetMapperNormal()[2], 0.0);
+      }
+    }
+    std::cout << "at " << pixelError << ": " << picked << " picked, " << same
+              << " as the hardware selector, positions within " << farthest << " of the surface\n";
+    EXPECT_GT(picked, 80);
+    EXPECT_GE(same, picked - 1 - picked / 50); // on an edge either triangle is right
+    EXPECT_LT(farthest, pixelError > 0.0 ? 0.02 : 0.002);
+  }
+}
+
+TEST(Picking, LocatorSeesNothingBeforeTheFirstFrameAndHonoursClippingPlanes)
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(MakeInput());
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  vtkNew<vtkMultiTriangulationLocator> locator;
+  vtkNew<vtkCellPicker> picker;
+  picker->AddLocator(locator);
+  locator->SetMapper(mapper);
+  EXPECT_EQ(PickCell(picker, scene, 150, 150), -1);
+  scene.Render();
+  EXPECT_GE(PickCell(picker, scene, 150, 150), 0);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.9, 0.5, 0.0);
+  plane->SetNormal(1.0, 0.0, 0.0);
+  mapper->AddClippingPlane(plane);
+  scene.Render();
+  EXPECT_EQ(PickCell(picker, scene, 150, 150), -1);
 }
 }

@@ -22,6 +22,7 @@
 #include "vtkRenderer.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -283,6 +284,49 @@ TEST_F(Pipeline, NormalsHaveNoSeamsBetweenPatches)
   std::cout << mapper->GetPatches() << " patches, the largest step between pixels is " << largest << "\n";
   EXPECT_GT(mapper->GetPatches(), 30);
   EXPECT_LE(largest, 8);
+}
+
+TEST_F(Pipeline, TextureSeamsAreDrawnAsVtkDrawsThem)
+{
+  // Along the seam points have two texture coordinates each, 0 and 1: two wedges of one point.
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int j = 0; j < 64; ++j)
+  {
+    for (int i = 0; i < 64; ++i)
+    {
+      auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0));
+      pixel[0] = static_cast<unsigned char>(4 * i);
+      pixel[1] = static_cast<unsigned char>(255 - 4 * j);
+      pixel[2] = (i / 4 + j / 4) % 2 ? 220 : 30;
+    }
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(Build(MTTestMeshes::SeamSphere(128, 64), 200));
+  MTScene scene(mapper);
+  scene.Actor->SetTexture(texture);
+  for (const double pixelError : { 0.0, 1.0, 4.0 })
+  {
+    mapper->SetPixelError(pixelError);
+    LookAtSphere(scene, 4.0); // the seam runs down in front
+    const auto picture = scene.Render();
+    vtkNew<vtkPolyData> mesh;
+    ASSERT_TRUE(mapper->GetCut(mesh));
+    vtkNew<vtkPolyDataMapper> reference;
+    reference->SetInputData(mesh);
+    MTScene plain(reference);
+    plain.Actor->SetTexture(texture);
+    LookAtSphere(plain, 4.0);
+    const MTDifference difference = MTDifference::Compare(picture, plain.Render());
+    std::cout << "at " << pixelError << ": " << mapper->GetTriangles() << " triangles, " << difference << "\n";
+    EXPECT_GT(difference.Drawn, 10000u);
+    EXPECT_LE(difference.ClearlyOff, 1 + difference.Drawn / 10000);
+    MTWritePicture(picture, std::string(MT_TEST_OUTPUT_DIRECTORY) + "/SeamSphere.png");
+  }
 }
 
 // The whole way: a mesh, its partition, simplification, certification, a cut for a view from close by, its patches.
