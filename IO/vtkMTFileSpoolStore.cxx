@@ -122,6 +122,14 @@ bool vtkMTFileSpoolStore::HasFiles(const std::string& folder)
   return false;
 }
 
+void vtkMTFileSpoolStore::RemoveFiles(const std::string& folder)
+{
+  Internals left;
+  left.Folder = folder;
+  left.RemoveStrays();
+  ::rmdir(folder.c_str());
+}
+
 std::unique_ptr<vtkMTSpool> vtkMTFileSpoolStore::CreateBeside(const std::string& path, std::string& error)
 {
   return vtkMTSpoolFile::CreateNameless(vtkMTPosix::FolderOf(path), std::make_shared<vtkMTSpoolAccount>(), error);

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 void vtkMTSpoolAccount::Add(std::uint64_t size)
@@ -101,13 +102,18 @@ bool vtkMTSpoolFile::Sync(std::string& error)
 std::unique_ptr<vtkMTSpool> vtkMTSpoolFile::CreateNameless(
   const std::string& folder, const std::shared_ptr<vtkMTSpoolAccount>& account, std::string& error)
 {
-  std::string name;
-  const int descriptor = vtkMTPosix::CreateUnique(folder + ".multitriangulation", name);
+  // Where the file system can, it never has a name, and nothing is left whenever the process is killed.
+  int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (descriptor < 0 && errno != ENOENT)
+  {
+    std::string name;
+    descriptor = vtkMTPosix::CreateUnique(folder + ".multitriangulation", name);
+    ::unlink(name.c_str());
+  }
   if (descriptor < 0)
   {
     error = Describe(folder, "a temporary file cannot be created");
     return nullptr;
   }
-  ::unlink(name.c_str());
   return std::make_unique<vtkMTFileSpool>(std::make_shared<vtkMTSpoolFile>(folder, descriptor, account));
 }

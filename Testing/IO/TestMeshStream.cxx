@@ -361,7 +361,9 @@ TEST(MeshStream, VtpOfEveryEncodingGivesWhatTheWholeFileGives)
   {
     for (int compressor : { vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA })
     {
-      for (int encoded = 0; encoded < (mode == vtkXMLWriter::Appended ? 2 : 1); ++encoded)
+      const bool isUnused = mode == vtkXMLWriter::Ascii && compressor != vtkXMLWriter::NONE;
+      const int encodings = isUnused ? 0 : (mode == vtkXMLWriter::Appended ? 2 : 1);
+      for (int encoded = 0; encoded < encodings; ++encoded)
       {
         const std::string name = folder /
           ("sphere-" + std::to_string(mode) + "-" + std::to_string(compressor) + "-" + std::to_string(encoded) +
