@@ -12,6 +12,7 @@
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTSimplifier.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulationBuilder.h"
 
@@ -231,6 +232,21 @@ std::unique_ptr<vtkMTTriangleStream> OpenInput(const Options& options, const bmt
   return std::make_unique<bmtInputStream>(std::move(stream), files, report.Counts, keep);
 }
 
+// reading: CPU and wall seconds that went into opening the input.
+bmtJson DescribeStages(const vtkMTStageTimes& times, const std::array<double, 2>& reading)
+{
+  bmtJson stages = bmtJson::object();
+  for (int i = 0; i < vtkMTStageTimes::NumberOfStages; ++i)
+  {
+    const auto stage = static_cast<vtkMTStageTimes::StageType>(i);
+    const bool isReading = stage == vtkMTStageTimes::Read;
+    bmtJson& entry = stages[vtkMTStageTimes::GetName(stage)];
+    entry["cpu_seconds"] = times.GetCpuSeconds(stage) + (isReading ? reading[0] : 0.0);
+    entry["wall_seconds"] = times.GetWallSeconds(stage) + (isReading ? reading[1] : 0.0);
+  }
+  return stages;
+}
+
 bmtJson DescribeInput(const bmtInputReport& report)
 {
   bmtJson result = bmtJson::object();
@@ -261,14 +277,17 @@ bmtJson BuildModel(const Options& options, const bmtInputFiles& files, vtkMultiT
     stream = OpenInput(options, files, workspace, mesh, report);
     builder->SetLatticeBits(GetLatticeBits(options, *stream));
   }
-  const double reading = bmtWallSeconds() - wall;
+  const std::array<double, 2> reading{ bmtCpuSeconds() - cpu, bmtWallSeconds() - wall };
   RunBuilder(builder, options, workspace, *stream, report);
 
   bmtJson result;
   result["output"] = options.Output;
   result["seconds"] = bmtWallSeconds() - wall;
   result["cpu_seconds"] = bmtCpuSeconds() - cpu;
-  result["reading_seconds"] = reading;
+  result["triangles_per_cpu_second"] =
+    static_cast<double>(stream->GetNumberOfTriangles()) / std::max(1e-9, bmtCpuSeconds() - cpu);
+  result["reading_seconds"] = reading[1];
+  result["stages"] = DescribeStages(builder->GetStageTimes(), reading);
   result["input_streamed"] = mesh->GetNumberOfPoints() == 0;
   workspace.Describe(result);
   result.update(DescribeInput(report));

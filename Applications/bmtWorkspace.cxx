@@ -215,7 +215,9 @@ std::string bmtWorkspace::Leave() const
 
 std::string bmtWorkspace::GetAdvice(bool canResume) const
 {
-  return canResume ? "; the same command with --resume goes on from the last checkpoint, in " + this->Folder : "";
+  return canResume && this->HasCheckpoint()
+    ? "; the same command with --resume goes on from the last checkpoint, in " + this->Folder
+    : "";
 }
 
 void bmtWorkspace::Describe(bmtJson& result) const
