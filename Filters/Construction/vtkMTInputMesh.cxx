@@ -12,6 +12,7 @@
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTPointNormals.h"
 #include "vtkMTRegionStep.h"
+#include "vtkMTSharedIds.h"
 #include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
 
@@ -335,7 +336,8 @@ private:
     vtkMTSpoolStore& store = *this->Settings.Store;
     const std::size_t memory = this->Settings.SortMemory / 8;
     this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);
-    this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory);
+    this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory / 2);
+    this->SharedIds = std::make_unique<vtkMTSharedIds>(store, memory / 2);
     if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
       !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
     {
@@ -382,6 +384,12 @@ private:
       error = this->Normals->GetError();
       return false;
     }
+    if (!this->SharedIds->Add(
+          static_cast<std::uint32_t>(region), making.Fragment.Mesh.Ids, making.Fragment.SharedPlaces))
+    {
+      error = this->SharedIds->GetError();
+      return false;
+    }
     Bytes mesh;
     Bytes orientation;
     making.Fragment.Encode(mesh, orientation);
@@ -403,9 +411,9 @@ private:
   {
     vtkMTBuildState& state = *this->State;
     this->Regions.reset();
-    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation))
+    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation) || !this->SharedIds->Solve())
     {
-      return this->Fail(this->Orientation->GetError() + this->Normals->GetError());
+      return this->Fail(this->Orientation->GetError() + this->Normals->GetError() + this->SharedIds->GetError());
     }
     Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetReversedTriangles());
     Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNonOrientableTriangles());
@@ -450,8 +458,10 @@ private:
     finishing.SharedNormals.resize(finishing.Fragment.Mesh.Ids.size());
     const bool taken =
       !this->MakesNormals || this->Normals->Take(region, finishing.Fragment.Mesh, finishing.SharedNormals);
-    error = taken ? error : this->Normals->GetError();
-    return taken;
+    // Normals are asked for by the input's numbers, so these are replaced after that.
+    const bool numbered = taken && this->SharedIds->Take(region, finishing.Fragment.Mesh.Ids);
+    error = taken ? this->SharedIds->GetError() : this->Normals->GetError();
+    return numbered;
   }
 
   void Finish(Finishing& finishing) const
@@ -488,6 +498,7 @@ private:
   std::unique_ptr<vtkMTInputRegions> Regions;
   std::unique_ptr<vtkMTOrientation> Orientation;
   std::unique_ptr<vtkMTSharedNormals> Normals;
+  std::unique_ptr<vtkMTSharedIds> SharedIds;
   vtkMTRecordSpool Fragments; // by region, with their orientation
 };
 
