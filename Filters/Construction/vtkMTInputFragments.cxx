@@ -51,7 +51,8 @@ bool vtkMTInputFragments::Make(vtkMTInputRegions& regions, const vtkMTInputSpool
   vtkMTSpoolStore& store = *this->Settings.Store;
   const std::size_t memory = this->Settings.SortMemory / 8;
   this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);
-  this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory);
+  this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory / 2);
+  this->SharedIds = std::make_unique<vtkMTSharedIds>(store, memory / 2);
   if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
     !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
   {
@@ -103,6 +104,12 @@ bool vtkMTInputFragments::PutMade(std::size_t region, Making& making, std::strin
       error = this->Normals->GetError();
       return false;
     }
+    if (!this->SharedIds->Add(
+          static_cast<std::uint32_t>(region), making.Fragment.Mesh.Ids, making.Fragment.SharedPlaces))
+    {
+      error = this->SharedIds->GetError();
+      return false;
+    }
   }
   Bytes mesh;
   Bytes orientation;
@@ -118,9 +125,9 @@ bool vtkMTInputFragments::Finish()
   vtkMTBuildState& state = this->State;
   {
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation))
+    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation) || !this->SharedIds->Solve())
     {
-      return this->Fail(this->Orientation->GetError() + this->Normals->GetError());
+      return this->Fail(this->Orientation->GetError() + this->Normals->GetError() + this->SharedIds->GetError());
     }
   }
   Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetReversedTriangles());
@@ -172,8 +179,10 @@ bool vtkMTInputFragments::Fetch(std::uint32_t region, Finishing& finishing, std:
   finishing.SharedNormals.resize(finishing.Fragment.Mesh.Ids.size());
   const bool taken =
     !this->MakesNormals || this->Normals->Take(region, finishing.Fragment.Mesh, finishing.SharedNormals);
-  error = taken ? error : this->Normals->GetError();
-  return taken;
+  // Normals are asked for by the input's numbers, so these are replaced after that.
+  const bool numbered = taken && this->SharedIds->Take(region, finishing.Fragment.Mesh.Ids);
+  error = taken ? this->SharedIds->GetError() : this->Normals->GetError();
+  return numbered;
 }
 
 void vtkMTInputFragments::FinishOne(Finishing& finishing) const

@@ -4,7 +4,8 @@
  * @brief the fragments of mesh M_0, made of the input's triangles and points by region
  *
  * Make puts every region's records together, in parallel: all but what depends on other fragments. Finish turns round
- * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and fills the state.
+ * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
+ * (vtkMTSharedIds), and fills the state.
  */
 #ifndef vtkMTInputFragments_h
 #define vtkMTInputFragments_h
@@ -16,6 +17,7 @@
 #include "vtkMTInputRegions.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTOrientation.h"
+#include "vtkMTSharedIds.h"
 #include "vtkMTSharedNormals.h"
 
 #include <array>
@@ -71,6 +73,7 @@ private:
   bool Aborted = false;
   std::unique_ptr<vtkMTOrientation> Orientation;
   std::unique_ptr<vtkMTSharedNormals> Normals;
+  std::unique_ptr<vtkMTSharedIds> SharedIds;
   vtkMTRecordSpool Fragments; // by region, with their orientation
 };
 
