@@ -2,6 +2,7 @@
 #include "vtkMTInputSpool.h"
 
 #include "vtkMTRecordSort.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTTriangleStream.h"
 
 #include <algorithm>
@@ -92,11 +93,18 @@ bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
   vtkMTRecordSort places(*this->Settings.Store, sizeof(PlaceRecord), memory);
   {
     vtkMTRecordSort requests(*this->Settings.Store, sizeof(std::uint64_t), memory);
-    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests) || !this->FindPlaces(requests, places))
+    const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
+    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests))
+    {
+      return false;
+    }
+    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
+    if (!this->FindPlaces(requests, places))
     {
       return false;
     }
   }
+  const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
   return this->CheckBlocks(places, visit);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationBuilder.h"
 
+#include "vtkMTBuildProgress.h"
 #include "vtkMTBuildState.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTEdgeCollapse.h"
@@ -30,17 +31,6 @@ vtkStandardNewMacro(vtkMultiTriangulationBuilder);
 
 namespace
 {
-std::string Describe(const vtkMTBuildSettings::ProgressReport& report)
-{
-  std::string text = "level " + std::to_string(report.Level) + ", " + report.Step;
-  if (report.Triangles > 0)
-  {
-    text += ": " + std::to_string(report.Triangles);
-    text += report.OfTriangles > 0 ? " of " + std::to_string(report.OfTriangles) : "";
-  }
-  return text;
-}
-
 /// The number of threads of the parallel loops that the calling thread comes to, while this lives: partitions have no
 /// number of their own.
 class ThreadCount
@@ -63,6 +53,7 @@ private:
 vtkMultiTriangulationBuilder::vtkMultiTriangulationBuilder()
   : PartitionStrategy(vtkSmartPointer<vtkMTVoronoiPartition>::New())
   , Simplifier(vtkSmartPointer<vtkMTEdgeCollapse>::New())
+  , StageTimes(std::make_unique<vtkMTStageTimes>())
 {
 }
 
@@ -111,6 +102,7 @@ bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchS
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->Aborted = false;
+  this->StageTimes = std::make_unique<vtkMTStageTimes>();
   this->UpdateProgress(0.0);
   this->HasCheckpoint = false;
   vtkMTMemorySpoolStore memory;
@@ -185,10 +177,12 @@ bool vtkMultiTriangulationBuilder::Configure(
 {
   settings = this->MakeSettings();
   settings.Store = &store;
-  settings.Progress = [this](const vtkMTBuildSettings::ProgressReport& report)
+  settings.Times = this->StageTimes.get();
+  settings.Progress = [this, progress = vtkMTBuildProgress()](const vtkMTBuildSettings::ProgressReport& report) mutable
   {
-    this->SetProgressText(Describe(report).c_str());
-    this->UpdateProgress(report.Fraction);
+    progress.Update(report);
+    this->SetProgressText(progress.GetText().c_str());
+    this->UpdateProgress(progress.GetFraction());
     return !vtkMTIsAborted(this);
   };
   const vtkMTMemoryPlan plan(input, settings);

@@ -26,6 +26,7 @@
 
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTMemoryPlan.h"
+#include "vtkMTStageTimes.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
@@ -141,6 +142,9 @@ public:
   /// Whether the last Build failed and a later one can go on.
   vtkGetMacro(HasCheckpoint, bool);
 
+  /// What the last Build spent its time with.
+  const vtkMTStageTimes& GetStageTimes() const { return *this->StageTimes; }
+
   /// Of the settings, strategy and simplifier included.
   vtkMTimeType GetMTime() override;
 
@@ -178,6 +182,7 @@ private:
   bool Resume = false;
   std::string InputIdentity;
   std::string ErrorMessage;
+  std::unique_ptr<vtkMTStageTimes> StageTimes; // never null
   bool HasCheckpoint = false;
   bool Aborted = false;
 };

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <set>
 
 using namespace MTIOTest;
 
@@ -324,6 +325,60 @@ TEST(Codec, PackedPatchesAreSmallAndCoarseOnesSmaller)
   EXPECT_LT(bytes[1], bytes[0] / 2);
   EXPECT_LE(bytes[2], bytes[1]);
   EXPECT_LT(coarse, bytes[1] * 9 / 10);
+}
+
+TEST(Codec, IdentitiesThatFollowEachOtherAlongTheBorderCostNearlyNothing)
+{
+  Random random(8);
+  const int n = 30;
+  vtkMTPatch field = MakeField(random, n, 0, 0, 1000);
+  // The border first, along it, then what is inside.
+  std::vector<std::uint32_t> order;
+  for (int i = 0; i < 4 * n; ++i)
+  {
+    const int along = i % n;
+    const int sides[4][2] = { { along, 0 }, { n, along }, { n - along, n }, { 0, n - along } };
+    order.push_back(static_cast<std::uint32_t>(sides[i / n][1] * (n + 1) + sides[i / n][0]));
+  }
+  std::vector<std::uint32_t> place(field.Points.size(), ~std::uint32_t(0));
+  for (std::uint32_t p = 0; p < order.size(); ++p)
+  {
+    place[order[p]] = p;
+  }
+  for (std::uint32_t p = 0; p < place.size(); ++p)
+  {
+    if (place[p] == ~std::uint32_t(0))
+    {
+      place[p] = static_cast<std::uint32_t>(order.size());
+      order.push_back(p);
+    }
+  }
+  vtkMTPatch patch;
+  for (const std::uint32_t p : order)
+  {
+    patch.Points.push_back(field.Points[p]);
+  }
+  for (const vtkMTTriangle& t : field.Triangles)
+  {
+    patch.Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
+  }
+  std::uint64_t size[3] = {};
+  StoreAndRead(patch, MakeGraph(patch, {}), vtkMTFileSink::Fast, size[0]);
+  for (const bool isRandom : { false, true })
+  {
+    patch.Ids.clear();
+    for (std::uint64_t i = 0; i < 4 * n; ++i)
+    {
+      const std::uint64_t piece = i / 40; // of three neighbours; one of them goes round the other way
+      patch.Ids.push_back(isRandom ? random.Next() : (piece << 40) + (piece == 1 ? 90000 - i : 500 + i));
+    }
+    const vtkMTPatch read = StoreAndRead(patch, MakeGraph(patch, {}), vtkMTFileSink::Fast, size[isRandom ? 2 : 1]);
+    EXPECT_EQ(std::set<std::uint64_t>(read.Ids.begin(), read.Ids.end()),
+      std::set<std::uint64_t>(patch.Ids.begin(), patch.Ids.end()));
+  }
+  std::cout << 4 * n << " shared points, bytes for their identities: " << size[1] - size[0] << " in runs, "
+            << size[2] - size[0] << " at random\n";
+  EXPECT_LT(size[1] - size[0], 64u);
 }
 
 TEST(Codec, BlobsComeBackAndAreCheckedAsEverythingElse)
