@@ -229,10 +229,10 @@ public:
    * Figures of the last frame. AchievedPixelError bounds, in pixels, how far anything in the picture is from where the
    * input would put it, whatever ErrorChoice says; it is infinite where the camera is closer to the surface than the
    * error. Converged: nothing that can be seen is above PixelError. Loading: the picture is not yet what the settings
-   * ask for, so another frame would be a better one. CulledPatches and CulledTriangles were left out for being outside
-   * the frustum, FacingAwayPatches and FacingAwayTriangles for being seen from behind. Times are seconds: CutTime of
-   * the last new cut; FrameTime of the mapper's part of the frame, reading and upload included, until the last command
-   * was given to OpenGL.
+   * ask for, so another frame may be a better one; it stays so where PatchMemoryLimit has no room for what is missing.
+   * CulledPatches and CulledTriangles were left out for being outside the frustum, FacingAwayPatches and
+   * FacingAwayTriangles for being seen from behind. Times are seconds: CutTime of the last new cut; FrameTime of the
+   * mapper's part of the frame, reading and upload included, until the last command was given to OpenGL.
    */
   vtkGetMacro(Triangles, vtkIdType);
   vtkGetMacro(Patches, vtkIdType);

@@ -173,7 +173,8 @@ void vtkMultiTriangulationMapper::BeginUpload()
 void vtkMultiTriangulationMapper::DrawLess()
 {
   Internals& self = *this->Implementation;
-  self.LessTriangles = self.LessTriangles == 0 ? self.Cut->Triangles : self.Cut->Triangles - self.Cut->Triangles / 8;
+  const std::uint64_t now = std::max<std::uint64_t>(self.Cut->Triangles, 2);
+  self.LessTriangles = self.LessTriangles == 0 ? now : now - std::max<std::uint64_t>(now / 8, 1);
 }
 
 //------------------------------------------------------------------------------

@@ -202,6 +202,42 @@ TEST(CutFollower, KeepsItsPromisesForAnyViewBudgetAndResidentSet)
   EXPECT_GT(coarsened, 100u);
 }
 
+TEST(CutFollower, BudgetsAreUsedToNineTenthsFromFiftyMeanPatchesOn)
+{
+  std::mt19937 random(7);
+  double least = 1.0;
+  int limited = 0;
+  for (std::uint32_t seed = 0; seed < 4; ++seed)
+  {
+    const vtkMTGraph graph = MTRandomGraph::Make(400 + seed, 1500);
+    const std::uint64_t mean = GetMeanPatch(graph);
+    World world(graph, Follower::Uploaded);
+    Follower follower;
+    for (const vtkMTView& view : MTViews::MakeRandom(seed, 40))
+    {
+      const bool bytes = random() % 2 != 0;
+      const std::uint64_t patches = 50 + random() % 400;
+      Follower::Settings settings;
+      settings.PixelError = 0.02;
+      settings.TriangleBudget = bytes ? 0 : patches * mean;
+      settings.ByteBudget = bytes ? patches * mean * 18 : 0;
+      const auto result = follower.Update(world.See(view), settings);
+      Check(world, settings, result);
+      if (!result.Converged)
+      {
+        const double used = bytes
+          ? static_cast<double>(result.Bytes) / static_cast<double>(settings.ByteBudget)
+          : static_cast<double>(result.Triangles) / static_cast<double>(settings.TriangleBudget);
+        least = std::min(least, used);
+        EXPECT_GE(used, 0.9);
+        ++limited;
+      }
+    }
+  }
+  std::cout << limited << " budgets too small for the error, the least use is " << least << "\n";
+  EXPECT_GT(limited, 50);
+}
+
 // A clock that says how often it has been asked: so time is over at any operation that one wants.
 TEST(CutFollower, StoppedAtAnyOperationTheCutConformsAndIsWithinItsBudgets)
 {
@@ -436,6 +472,33 @@ TEST(CutFollower, NoSmallerClosedCutSatisfiesTheView)
   }
   std::cout << compared << " smaller cuts compared\n";
   EXPECT_GT(compared, 500u);
+}
+
+TEST(CutFollower, PrefetchHasThereWhatTheNextFramesNeed)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(61, 600);
+  std::size_t forced[2] = { 0, 0 };
+  std::size_t late[2] = { 0, 0 };
+  for (const bool prefetch : { false, true })
+  {
+    World world(graph);
+    Follower follower;
+    Follower::Settings settings;
+    settings.PixelError = 0.3;
+    settings.Prefetch = prefetch;
+    for (const vtkMTView& view : MTViews::MakePath(300))
+    {
+      const auto result = follower.Update(world.See(view), settings);
+      forced[prefetch] += result.Forced;
+      late[prefetch] += result.Requests.size();
+      world.Upload(result);
+      world.Load(result, 60);
+    }
+  }
+  std::cout << "without: " << forced[0] << " coarsenings for what was not there, " << late[0]
+            << " patches missing; with: " << forced[1] << ", " << late[1] << "\n";
+  EXPECT_LE(forced[1], forced[0]);
+  EXPECT_LT(late[1], late[0]);
 }
 
 TEST(CutFollower, CutTakesLittleTimeAlongAFlight)
