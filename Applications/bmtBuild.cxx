@@ -171,7 +171,8 @@ bool IsFinished(const std::string& output, const std::string& identity)
   {
     return false;
   }
-  const auto& settings = bmtOpenModel(output)->GetGraph().Settings;
+  const std::shared_ptr<const vtkMTPatchSource> model = bmtOpenModel(output);
+  const auto& settings = model->GetGraph().Settings;
   const auto found = settings.find("build");
   return found != settings.end() && found->second == identity;
 }

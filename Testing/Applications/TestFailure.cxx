@@ -117,7 +117,7 @@ TEST_F(Failure, KilledAtAnyMomentItGoesOnToTheSameBytes)
 TEST_F(Failure, FilesThatMayNotGrowAreAnErrorAndTheBuildGoesOnLater)
 {
   const std::string expected = this->MakeExpected(40960);
-  for (const std::uint64_t limit : { 1u << 12, 1u << 16, 1u << 18, 1u << 19, 3u << 18, 1u << 20, 3u << 19 })
+  for (const std::uint64_t limit : { 4u << 10, 32u << 10, 64u << 10, 128u << 10, 256u << 10, 384u << 10, 448u << 10 })
   {
     MTRunOptions options;
     options.LargestFile = limit;
@@ -182,7 +182,7 @@ TEST_F(Failure, FullDiskIsAnErrorAndTheBuildGoesOnWhenThereIsRoom)
 TEST_F(Failure, ReadOnlyOutputFolderIsRefusedBeforeTheWorkBegins)
 {
   this->MakeSphere(5120);
-  const TmpFs disk(this->Folder / "fixed", "size=1m", MS_RDONLY);
+  const TmpFs disk(this->Folder / "fixed", "size=64m", MS_RDONLY);
   if (!disk.IsMounted)
   {
     GTEST_SKIP() << "no file system can be mounted here";
