@@ -51,6 +51,7 @@ struct Options
   bool NoNormals = false;
   bool NoIds = false;
   bool KeepFarOutliers = false;
+  bool Exact = false;
   bmtWorkspaceOptions Workspace;
 };
 
@@ -83,6 +84,7 @@ void Configure(const Options& options, int latticeBits, vtkMultiTriangulationBui
   builder->SetNumberOfThreads(options.Threads);
   builder->SetMakeNormals(!options.NoNormals);
   builder->SetKeepFarOutliers(options.KeepFarOutliers);
+  builder->SetExactPoints(options.Exact);
 }
 
 // Of all points that are finite.
@@ -365,6 +367,8 @@ void AddOptions(CLI::App& command, Options& options)
     command.add_option("--arrays", options.Arrays, "The input's arrays to keep, with commas between; \"\": none")
       ->delimiter(',');
   command.add_flag("--no-ids", options.NoIds, "Do not keep the input's cell ids, by which picking finds cells");
+  command.add_flag("--exact", options.Exact,
+    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
   command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
     "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
   bmtAddWorkspaceOptions(command, options.Workspace);

@@ -37,6 +37,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
   int LatticeBits = 24;
   bool MakeNormals = true;
   bool KeepFarOutliers = false;
+  bool ExactPoints = false;
   const vtkMTPartitionStrategy* Partition = nullptr;
   const vtkMTSimplifier* Simplifier = nullptr;
   ///@}

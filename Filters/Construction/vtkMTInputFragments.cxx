@@ -46,8 +46,15 @@ bool vtkMTInputFragments::Continue(const char* step, std::uint64_t done)
 bool vtkMTInputFragments::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
   vtkMTBuildState& state = this->State;
-  const vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(),
-    input.GetPointTupleSizes(), input.GetCellTupleSizes(), this->MakesNormals };
+  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
+    input.GetCellTupleSizes(), this->MakesNormals };
+  for (const vtkMTArrayInfo& array : state.Graph.Arrays)
+  {
+    if (array.Role == vtkMTArrayInfo::ExactPoints)
+    {
+      layout.PointTupleSizes.push_back(array.GetTupleSize());
+    }
+  }
   vtkMTSpoolStore& store = *this->Settings.Store;
   const std::size_t memory = this->Settings.SortMemory / 8;
   this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);

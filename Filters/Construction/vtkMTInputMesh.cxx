@@ -2,6 +2,7 @@
 #include "vtkMTInputMesh.h"
 
 #include "vtkMTBuildState.h"
+#include "vtkMTExactPoints.h"
 #include "vtkMTFarOutliers.h"
 #include "vtkMTInputFragments.h"
 #include "vtkMTInputRegions.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -108,13 +110,14 @@ public:
     {
       return false;
     }
-    this->SetUpArrays(stream);
+    this->SetUpArrays(stream, input.IsSingle());
     state.Graph.InputTriangles = input.GetInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
     state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
     vtkMTStitch stitch(*this->Settings.Store, this->Settings.SortMemory / 4);
-    this->Regions = std::make_unique<vtkMTInputRegions>(this->Settings, input, this->Settings.SortMemory / 4 * 3);
+    this->Regions = std::make_unique<vtkMTInputRegions>(
+      this->Settings, input, this->Settings.ExactPoints ? &this->Exact : nullptr, this->Settings.SortMemory / 4 * 3);
     if (!this->SortIntoRegions(input, stitch))
     {
       return false;
@@ -182,11 +185,16 @@ private:
     return true;
   }
 
-  void SetUpArrays(const vtkMTTriangleStream& stream)
+  void SetUpArrays(const vtkMTTriangleStream& stream, bool isSingle)
   {
     std::vector<vtkMTArrayInfo>& arrays = this->State->Graph.Arrays;
     arrays = stream.GetArrays();
     this->MakesNormals = this->Settings.MakeNormals && !HasNormals(arrays);
+    if (this->Settings.ExactPoints)
+    {
+      this->Exact = vtkMTExactPoints::MakeInfo(isSingle, arrays);
+      arrays.push_back(this->Exact);
+    }
     arrays.push_back(MakeCellIdInfo());
     if (this->MakesNormals)
     {
@@ -288,6 +296,11 @@ private:
     }
     // Four roundings at most: 2^-50 covers them.
     lattice.MaximumShift = std::sqrt(largest) * (1.0 + std::ldexp(1.0, -50)) * lattice.Step;
+    if (largest > 0.0 && lattice.MaximumShift < std::numeric_limits<double>::min())
+    {
+      // Denormal numbers are rounded more coarsely than that.
+      lattice.MaximumShift = std::nextafter(lattice.MaximumShift, std::numeric_limits<double>::infinity());
+    }
     const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
     return stitch.Finish() || this->Fail(stitch.GetError());
   }
@@ -332,6 +345,7 @@ private:
   const vtkMTBuildSettings& Settings;
   vtkMTBuildState* State = nullptr;
   bool MakesNormals = false;
+  vtkMTArrayInfo Exact; // of use when exact points are asked for
   std::uint32_t NumberOfRegions = 0;
   std::unique_ptr<vtkMTInputRegions> Regions;
 };

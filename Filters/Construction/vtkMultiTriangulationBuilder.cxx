@@ -161,6 +161,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.LatticeBits = this->LatticeBits;
   settings.MakeNormals = this->MakeNormals;
   settings.KeepFarOutliers = this->KeepFarOutliers;
+  settings.ExactPoints = this->ExactPoints;
   settings.Partition = this->PartitionStrategy;
   settings.Simplifier = this->Simplifier;
   settings.Threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : omp_get_max_threads();
@@ -250,8 +251,8 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
   }
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
     " bits, normals " + (this->MakeNormals ? "made" : "not made") +
-    (this->KeepFarOutliers ? ", far outliers kept" : "") + "; " + this->PartitionStrategy->GetSettings() + "; " +
-    this->Simplifier->GetSettings();
+    (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") + "; " +
+    this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
 }
 
 int vtkMultiTriangulationBuilder::FillOutputPortInformation(int, vtkInformation* info)
@@ -309,6 +310,7 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InputIdentity: " << this->InputIdentity << "\n";
   os << indent << "HasCheckpoint: " << (this->HasCheckpoint ? "yes" : "no") << "\n";
   os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
+  os << indent << "ExactPoints: " << (this->ExactPoints ? "on" : "off") << "\n";
   os << indent << "PartitionStrategy: " << this->PartitionStrategy->GetSettings() << "\n";
   os << indent << "Simplifier: " << this->Simplifier->GetSettings() << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";

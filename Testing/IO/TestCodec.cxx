@@ -4,6 +4,7 @@
 #include "MTTestMeshes.h"
 #include "MTTestModel.h"
 
+#include "vtkMTExactPoints.h"
 #include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
@@ -381,6 +382,40 @@ TEST(Codec, IdentitiesThatFollowEachOtherAlongTheBorderCostNearlyNothing)
   EXPECT_LT(size[1] - size[0], 64u);
 }
 
+TEST(Codec, ResidualsOfExactPointsAreSmallAndReadOnlyWhenAskedFor)
+{
+  const vtkMTArrayInfo info = vtkMTExactPoints::MakeInfo(false, {});
+  Random random(3);
+  vtkMTPatch patch = MakeField(random, 40, 0, 0, 1000);
+  std::vector<std::int64_t> residuals(3 * patch.Points.size());
+  for (std::int64_t& residual : residuals)
+  {
+    residual = static_cast<std::int64_t>(random.Below(200)) - 100;
+  }
+  patch.PointColumns.emplace_back(residuals.size() * sizeof(residuals[0]));
+  std::memcpy(patch.PointColumns[0].data(), residuals.data(), patch.PointColumns[0].size());
+  const vtkMTPatch expected = vtkMTPatchOrder::Make(patch).Patch;
+  const vtkMTGraph graph = MakeGraph(patch, { info });
+  for (const auto compression : Compressions)
+  {
+    vtkMTFileSource source;
+    std::string error;
+    vtkMTPatch read;
+    ASSERT_TRUE(source.Open(std::make_shared<vtkMTMemoryByteSource>(Store(patch, graph, compression)), error));
+    ASSERT_TRUE(source.ReadPatch(0, nullptr, read, error)) << error;
+    EXPECT_EQ(read.PointColumns, expected.PointColumns);
+    const std::vector<unsigned char> none(1, 0);
+    ASSERT_TRUE(source.ReadPatch(0, &none, read, error)) << error;
+    EXPECT_TRUE(read.PointColumns[0].empty());
+    const double bytes = static_cast<double>(source.GetSizeByKind()[1]) / static_cast<double>(residuals.size());
+    std::cout << bytes << " bytes for a residual of 7.6 bits\n";
+    EXPECT_LT(bytes, compression == vtkMTFileSink::None ? 8.1 : 1.1);
+  }
+  patch.PointColumns[0].clear();
+  std::uint64_t size = 0;
+  EXPECT_TRUE(StoreAndRead(patch, graph, vtkMTFileSink::Fast, size).PointColumns[0].empty());
+}
+
 TEST(Codec, BlobsComeBackAndAreCheckedAsEverythingElse)
 {
   Folder folder;
@@ -428,7 +463,7 @@ TEST(Codec, AReaderWrittenFromTheTablesReadsTheSame)
   Random random(12);
   const std::vector<vtkMTArrayInfo> arrays = { MakeInfo(VTK_FLOAT, 3, vtkMTArrayInfo::Point),
     MakeInfo(VTK_UNSIGNED_CHAR, 4, vtkMTArrayInfo::Point), MakeInfo(VTK_ID_TYPE, 1, vtkMTArrayInfo::Cell),
-    MakeInfo(VTK_SHORT, 2, vtkMTArrayInfo::Cell) };
+    MakeInfo(VTK_SHORT, 2, vtkMTArrayInfo::Cell), vtkMTExactPoints::MakeInfo(true, {}) };
   for (int round = 0; round < 12; ++round)
   {
     vtkMTPatch patch = MakeField(random, 2 + round, round % 4, static_cast<unsigned>(round), 1 + round * 5000);
@@ -437,6 +472,10 @@ TEST(Codec, AReaderWrittenFromTheTablesReadsTheSame)
       patch.Triangles.resize(patch.Triangles.size() / 2);
     }
     AddColumns(random, arrays, patch);
+    if (round % 2 == 0) // as on all levels but the finest
+    {
+      patch.PointColumns.back().clear();
+    }
     vtkMTGraph graph = MakeGraph(patch, arrays);
     graph.Blobs.push_back({ "a picture", "image/png", {} });
     const std::string path = folder / "model.bmt";

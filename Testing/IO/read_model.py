@@ -125,6 +125,7 @@ class Array:
         self.type, self.components, self.attribute, self.tuple_size = stream.unpack("iiiI")
         self.association, self.resampling, self.role, _ = stream.unpack("BBBB")
         self.component_names = [stream.string() for _ in range(stream.unpack("I")[0])]
+        self.properties = stream.mapping(stream.string)
 
 
 class Model:
@@ -392,7 +393,7 @@ class Patch:
         self.triangles = [tuple(wedge_place[w] for w in t) for t in triangles]
 
 
-def unpack_numbers(packed, tuples, components, size):
+def unpack_numbers(packed, tuples, components, size, has_differences=True):
     plane = tuples * components
     columns = []
     for c in range(components):
@@ -402,6 +403,7 @@ def unpack_numbers(packed, tuples, components, size):
             code = sum(packed[byte * plane + c * tuples + i] << (8 * byte) for byte in range(size))
             before = (before + unzigzag(code, 8 * size)) & ((1 << 8 * size) - 1)
             columns[-1].append(before)
+            before = before if has_differences else 0
     return columns
 
 
@@ -423,6 +425,8 @@ def direction(u, v):
 
 def read_column(array, arc, codec, data):
     tuples = arc[2] if array.association else arc[4]
+    if array.role == 3 and not data:
+        return data
     if codec == 0:
         require(len(data) == tuples * array.tuple_size, "a column of another length")
         return data
@@ -430,7 +434,8 @@ def read_column(array, arc, codec, data):
         u, v = unpack_numbers(decompress(codec, data, 4 * tuples), tuples, 2, 2)
         return b"".join(struct.pack("<3f", *direction(a, b)) for a, b in zip(u, v))
     size = array.tuple_size // array.components
-    columns = unpack_numbers(decompress(codec, data, tuples * array.tuple_size), tuples, array.components, size)
+    packed = decompress(codec, data, tuples * array.tuple_size)
+    columns = unpack_numbers(packed, tuples, array.components, size, array.role != 3)
     return b"".join(x.to_bytes(size, "little") for values in zip(*columns) for x in values)
 
 
