@@ -59,6 +59,7 @@ struct Options
   std::string Csv;
   std::string Output;
   std::string Strip;
+  bool Moving = false;
   bool Compare = false;
 };
 
@@ -81,7 +82,10 @@ struct Row
   std::int64_t ProcessBytes = 0;
   std::int64_t Loads = 0;
   std::int64_t UploadedBytes = 0;
-  bool Stall = false; // took more than three times as long as the median frame
+  std::int64_t MostPatchBytes = 0; // so far, with what was under way
+  double LongestLock = 0.0;        // seconds, so far, that a frame spent on the loader's lock
+  bool Loading = false;            // the picture is not yet what the view asks for
+  bool Stall = false;              // took more than three times as long as the median frame
 };
 
 std::int64_t GetProcessBytes()
@@ -158,6 +162,8 @@ vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(vtkMultiTriangulation* m
   mapper->SetPatchMemoryLimit(static_cast<vtkIdType>(options.PatchMegabytes * 1e6));
   mapper->SetGraphicsMemoryLimit(static_cast<vtkIdType>(options.GraphicsMegabytes * 1e6));
   mapper->SetTriangleBudget(options.Budget);
+  mapper->SetWaitForConvergence(
+    options.Moving ? vtkMultiTriangulationMapper::WAIT_NEVER : vtkMultiTriangulationMapper::WAIT_ALWAYS);
   return mapper;
 }
 
@@ -277,6 +283,9 @@ std::vector<Row> FlyMapper(vtkMultiTriangulation* model, const FlightPath& path,
     row.GraphicsBytes = mapper->GetGraphicsMemory();
     row.Loads = mapper->GetNumberOfReads() - reads;
     row.UploadedBytes = mapper->GetNumberOfUploadedBytes() - uploaded;
+    row.MostPatchBytes = mapper->GetMostPatchMemory();
+    row.LongestLock = mapper->GetLongestLock();
+    row.Loading = mapper->GetLoading();
     rows.push_back(row);
     if (!options.Strip.empty())
     {
@@ -377,6 +386,9 @@ Json Summarise(const std::string& who, std::vector<Row>& rows)
     json["cut_ms_worst"] = GetQuantile(collect([](const Row& row) { return 1e3 * row.CutSeconds; }), 1.0);
     json["patch_megabytes_most"] = GetQuantile(collect([](const Row& row) { return 1e-6 * row.PatchBytes; }), 1.0);
     json["gpu_megabytes_most"] = GetQuantile(collect([](const Row& row) { return 1e-6 * row.GraphicsBytes; }), 1.0);
+    json["patch_megabytes_with_those_under_way_most"] = 1e-6 * rows.back().MostPatchBytes;
+    json["longest_lock_ms"] = 1e3 * rows.back().LongestLock;
+    json["frames_still_loading"] = std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.Loading; });
     const std::vector<double> loads = collect([](const Row& row) { return row.Loads; });
     double all = 0.0;
     for (const double one : loads)
@@ -524,6 +536,7 @@ void AddOptions(CLI::App& app, Options& options)
   app.add_option("--csv", options.Csv, "Where to write the figures of each frame");
   app.add_option("--json", options.Output, "Where to write the summary");
   app.add_option("--strip", options.Strip, "Where to write eight pictures of the flight, as one PNG");
+  app.add_flag("--moving", options.Moving, "Frames do not wait for patches, as while somebody moves the camera");
   app.add_flag(
     "--compare", options.Compare, "Compare pictures at 0.5, 1, 2 and 4 pixels of either error with the whole mesh");
 }

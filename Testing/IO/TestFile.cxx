@@ -529,6 +529,18 @@ TEST(File, InconsistentPatchesAndGraphsAreRefused)
   EXPECT_TRUE(refusesGraph([](vtkMTGraph& g, Order&) { g.Arrays.pop_back(); }));
   EXPECT_TRUE(refusesGraph([](vtkMTGraph& g, Order&) { g.Lattice.Step = 0.3; }));
   EXPECT_TRUE(refusesGraph([](vtkMTGraph& g, Order&) { g.Nodes[0].Error = std::nan(""); }));
+  EXPECT_TRUE(refusesGraph(
+    [](vtkMTGraph& g, Order&)
+    {
+      g.Arcs[0].ConeAxis = { 0.0f, 0.0f, 1.0f };
+      g.Arcs[0].ConeCosine = 1.5f;
+    }));
+  EXPECT_TRUE(refusesGraph(
+    [](vtkMTGraph& g, Order&)
+    {
+      g.Arcs[0].ConeAxis = { 0.0f, 0.0f, 1.1f };
+      g.Arcs[0].ConeCosine = 0.5f;
+    }));
   EXPECT_TRUE(refusesGraph([](vtkMTGraph&, Order& p) { p.pop_back(); }));
   EXPECT_TRUE(refusesGraph([](vtkMTGraph&, Order& p) { p[0] = p[1]; }));
   EXPECT_TRUE(folder.List().empty());
