@@ -7,23 +7,27 @@
 
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTFileSink.h"
-#include "vtkMTMeshStream.h"
+#include "vtkMTPartitionStrategy.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTPolyDataStream.h"
 #include "vtkMTRegularPartition.h"
+#include "vtkMTSimplifier.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulationBuilder.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -47,6 +51,7 @@ struct Options
   bool NoNormals = false;
   bool NoIds = false;
   bool KeepFarOutliers = false;
+  bool Exact = false;
   bmtWorkspaceOptions Workspace;
 };
 
@@ -79,20 +84,45 @@ void Configure(const Options& options, int latticeBits, vtkMultiTriangulationBui
   builder->SetNumberOfThreads(options.Threads);
   builder->SetMakeNormals(!options.NoNormals);
   builder->SetKeepFarOutliers(options.KeepFarOutliers);
+  builder->SetExactPoints(options.Exact);
+}
+
+// Of all points that are finite.
+std::array<double, 6> GetBounds(vtkMTTriangleStream& stream)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  std::array<double, 6> bounds{ most, -most, most, -most, most, -most };
+  vtkMTTriangleStream::PointBlock block;
+  bool good = stream.Rewind();
+  while (good && (good = stream.NextPoints(block)) && !block.Points.empty())
+  {
+    for (const std::array<double, 3>& point : block.Points)
+    {
+      for (std::size_t i = 0; i < 3 && std::isfinite(point[0] + point[1] + point[2]); ++i)
+      {
+        bounds[2 * i] = std::min(bounds[2 * i], point[i]);
+        bounds[2 * i + 1] = std::max(bounds[2 * i + 1], point[i]);
+      }
+    }
+  }
+  if (!good)
+  {
+    throw bmtError(stream.GetError());
+  }
+  return bounds[0] <= bounds[1] ? bounds : std::array<double, 6>{};
 }
 
 // The bits that keep every point within the precision.
-int GetLatticeBits(const Options& options, vtkPolyData* mesh)
+int GetLatticeBits(const Options& options, vtkMTTriangleStream& stream)
 {
   if (!(options.Precision > 0.0))
   {
     return options.LatticeBits;
   }
-  double bounds[6];
-  mesh->GetBounds(bounds);
+  const std::array<double, 6> bounds = GetBounds(stream);
   for (int bits = vtkMTLattice::MinimumBits; bits <= vtkMTLattice::MaximumBits; ++bits)
   {
-    if (vtkMTLattice::FromBounds(bounds, bits).MaximumShift <= options.Precision)
+    if (vtkMTLattice::FromBounds(bounds.data(), bits).MaximumShift <= options.Precision)
     {
       return bits;
     }
@@ -100,32 +130,8 @@ int GetLatticeBits(const Options& options, vtkPolyData* mesh)
   std::ostringstream message;
   message << "--precision " << options.Precision
           << " is finer than a lattice of 2^31 steps over this mesh resolves; the least is "
-          << vtkMTLattice::FromBounds(bounds, vtkMTLattice::MaximumBits).MaximumShift;
+          << vtkMTLattice::FromBounds(bounds.data(), vtkMTLattice::MaximumBits).MaximumShift;
   throw bmtError(message.str());
-}
-
-// Leaves out what --arrays does not name.
-void SelectArrays(const std::vector<std::string>& names, vtkPolyData* mesh)
-{
-  for (const std::string& name : names)
-  {
-    if (!mesh->GetPointData()->HasArray(name.c_str()) && !mesh->GetCellData()->HasArray(name.c_str()))
-    {
-      throw bmtError("--arrays: the input has no array \"" + name + "\"");
-    }
-  }
-  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
-  {
-    for (int i = data->GetNumberOfArrays(); i-- > 0;)
-    {
-      const char* name = data->GetArrayName(i);
-      if (!name || std::find(names.begin(), names.end(), name) == names.end())
-      {
-        data->RemoveArray(i);
-      }
-    }
-  }
 }
 
 vtkMTFileSink::CompressionType GetCompression(const std::string& name)
@@ -133,39 +139,58 @@ vtkMTFileSink::CompressionType GetCompression(const std::string& name)
   return name == "none" ? vtkMTFileSink::None : (name == "small" ? vtkMTFileSink::Small : vtkMTFileSink::Fast);
 }
 
-// What tells this input from others, without reading all of it again.
-std::string GetIdentity(const bmtInput& input)
+// What has an influence on the file: the input's bytes and the settings, as a hash.
+std::string GetIdentity(const Options& options, const bmtInputFiles& files, vtkMultiTriangulationBuilder* builder)
 {
-  std::string identity = "iso " + std::to_string(input.Iso.value_or(0.0)) +
-    (input.GradientNormals ? " with normals" : "") + ", heights by " + std::to_string(input.VerticalScale) +
-    (input.Degrees ? " in degrees; " : "; ");
-  for (const std::string& path : input.Paths)
+  const bmtInput& input = options.Input;
+  std::ostringstream text;
+  text.precision(17);
+  text << files.GetHash();
+  for (const std::string& path : input.Paths) // the ending says what a file is, the name of a tile where it lies
   {
-    std::error_code code;
-    const auto time = std::filesystem::last_write_time(path, code).time_since_epoch().count();
-    const std::string whole = std::filesystem::absolute(path, code).string();
-    identity += whole + ", " + std::to_string(std::filesystem::file_size(path, code)) + " bytes, of " +
-      std::to_string(time) + "; ";
+    text << ", " << std::filesystem::path(path).filename().string();
   }
-  return identity;
+  text << "; iso " << input.Iso.value_or(0.0) << input.Iso.has_value() << input.GradientNormals << "; heights by "
+       << input.VerticalScale << input.Degrees << "; patches of " << options.PatchTriangles << ", "
+       << options.LatticeBits << " bits, precision " << options.Precision << ", " << options.Compression << "; "
+       << options.NoNormals << options.NoIds << options.KeepFarOutliers << "; "
+       << builder->GetPartitionStrategy()->GetSettings() << "; " << builder->GetSimplifier()->GetSettings();
+  if (options.ArraysOption->count() > 0)
+  {
+    for (const std::string& name : options.Arrays)
+    {
+      text << "; " << name;
+    }
+  }
+  return bmtHash(text.str());
 }
 
-void RunBuilder(const Options& options, int latticeBits, bmtWorkspace& workspace, vtkMTTriangleStream& stream,
-  const bmtInputReport& report, std::uint64_t& fileSize)
+// Whether the output is there already, as this build would make it.
+bool IsFinished(const std::string& output, const std::string& identity)
 {
-  vtkNew<vtkMultiTriangulationBuilder> builder;
-  Configure(options, latticeBits, builder);
+  std::error_code code;
+  if (!std::filesystem::exists(output, code) || !bmtIsModel(output))
+  {
+    return false;
+  }
+  const std::shared_ptr<const vtkMTPatchSource> model = bmtOpenModel(output);
+  const auto& settings = model->GetGraph().Settings;
+  const auto found = settings.find("build");
+  return found != settings.end() && found->second == identity;
+}
+
+void RunBuilder(vtkMultiTriangulationBuilder* builder, const Options& options, bmtWorkspace& workspace,
+  vtkMTTriangleStream& stream, const bmtInputReport& report)
+{
   workspace.Prepare(stream, builder);
-  // What becomes of the model in the sink has to be the same as well when the build is resumed.
-  const std::string identity = GetIdentity(options.Input) + options.Compression + (options.NoIds ? ", no ids" : "");
-  builder->SetInputIdentity(identity.c_str());
   vtkMTFileSink sink(options.Output, GetCompression(options.Compression), workspace.GetStore());
-  bmtModelSink model(sink, report.Textures, !options.NoIds);
+  bmtModelSink model(sink, report.Textures, !options.NoIds, builder->GetInputIdentity());
   bmtProgress progress("building");
   vtkNew<vtkCallbackCommand> advance;
   advance->SetCallback(Advance);
   advance->SetClientData(&progress);
   builder->AddObserver(vtkCommand::ProgressEvent, advance);
+  const bmtInterruptWatch watch(0.6, [&workspace] { return workspace.Leave(); });
   if (!builder->Build(stream, model))
   {
     const std::string advice = workspace.GetAdvice(builder->GetHasCheckpoint());
@@ -175,7 +200,6 @@ void RunBuilder(const Options& options, int latticeBits, bmtWorkspace& workspace
     }
     throw bmtError(options.Output + " was not written: " + builder->GetErrorMessage() + advice);
   }
-  fileSize = sink.GetFileSize();
 }
 
 // What the input refers to and the file holds as blobs.
@@ -196,51 +220,39 @@ bmtJson DescribeTextures(const bmtInputReport& report)
   return list;
 }
 
-// A mesh that can be streamed is; everything else is read, and so is what must be looked at whole.
-std::unique_ptr<vtkMTTriangleStream> OpenInput(const Options& options, vtkPolyData* mesh, bmtInputReport& report)
+// A mesh that can be streamed is; everything else is read.
+std::unique_ptr<vtkMTTriangleStream> OpenInput(const Options& options, const bmtInputFiles& files,
+  const bmtWorkspace& workspace, vtkPolyData* mesh, bmtInputReport& report)
 {
-  for (const std::string& path : options.Input.Paths)
-  {
-    bmtRequireReadable(path);
-  }
-  const bool selects = options.ArraysOption && options.ArraysOption->count() > 0;
-  std::unique_ptr<vtkMTTriangleStream> stream;
-  if (options.Input.Paths.size() == 1 && !selects && !(options.Precision > 0.0))
-  {
-    stream = vtkMTMeshStream::Open(options.Input.Paths[0]);
-  }
+  std::unique_ptr<vtkMTTriangleStream> stream =
+    bmtStreamInput(options.Input, workspace.GetScratch(), workspace.GetLimit(), report);
   if (!stream)
   {
     report = bmtReadInput(options.Input, mesh);
-    if (selects)
-    {
-      SelectArrays(options.Arrays, mesh);
-    }
-    stream = std::make_unique<bmtInputStream>(mesh, report.Counts);
+    stream = std::make_unique<vtkMTPolyDataStream>(mesh);
   }
-  return stream;
+  const std::vector<std::string>* keep = options.ArraysOption->count() > 0 ? &options.Arrays : nullptr;
+  return std::make_unique<bmtInputStream>(std::move(stream), files, report.Counts, keep);
 }
 
-bmtJson Build(const Options& options)
+// reading: CPU and wall seconds that went into opening the input.
+bmtJson DescribeStages(const vtkMTStageTimes& times, const std::array<double, 2>& reading)
 {
-  bmtRequireWritable(options.Output);
-  const double wall = bmtWallSeconds();
-  const double cpu = bmtCpuSeconds();
-  bmtWorkspace workspace(options.Workspace, options.Output);
-  vtkNew<vtkPolyData> mesh;
-  bmtInputReport report;
-  const std::unique_ptr<vtkMTTriangleStream> stream = OpenInput(options, mesh, report);
-  const double reading = bmtWallSeconds() - wall;
-  std::uint64_t fileSize = 0;
-  RunBuilder(options, GetLatticeBits(options, mesh), workspace, *stream, report, fileSize);
+  bmtJson stages = bmtJson::object();
+  for (int i = 0; i < vtkMTStageTimes::NumberOfStages; ++i)
+  {
+    const auto stage = static_cast<vtkMTStageTimes::StageType>(i);
+    const bool isReading = stage == vtkMTStageTimes::Read;
+    bmtJson& entry = stages[vtkMTStageTimes::GetName(stage)];
+    entry["cpu_seconds"] = times.GetCpuSeconds(stage) + (isReading ? reading[0] : 0.0);
+    entry["wall_seconds"] = times.GetWallSeconds(stage) + (isReading ? reading[1] : 0.0);
+  }
+  return stages;
+}
 
-  bmtJson result;
-  result["output"] = options.Output;
-  result["seconds"] = bmtWallSeconds() - wall;
-  result["cpu_seconds"] = bmtCpuSeconds() - cpu;
-  result["reading_seconds"] = reading;
-  result["input_streamed"] = mesh->GetNumberOfPoints() == 0;
-  workspace.Describe(result);
+bmtJson DescribeInput(const bmtInputReport& report)
+{
+  bmtJson result = bmtJson::object();
   if (!report.Textures.empty() || !report.Problems.empty())
   {
     result["textures_of_input"] = DescribeTextures(report);
@@ -250,7 +262,69 @@ bmtJson Build(const Options& options)
   {
     result["parts"] = report.Parts;
   }
-  result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), fileSize));
+  return result;
+}
+
+// From nothing, or from a checkpoint.
+bmtJson BuildModel(const Options& options, const bmtInputFiles& files, vtkMultiTriangulationBuilder* builder)
+{
+  const double wall = bmtWallSeconds();
+  const double cpu = bmtCpuSeconds();
+  bmtWorkspace workspace(options.Workspace, options.Output);
+  vtkNew<vtkPolyData> mesh;
+  bmtInputReport report;
+  std::unique_ptr<vtkMTTriangleStream> stream;
+  {
+    // Nothing can be lost yet.
+    const bmtInterruptWatch watch(0.0, [] { return std::string(bmtInterrupt().what()); });
+    stream = OpenInput(options, files, workspace, mesh, report);
+    builder->SetLatticeBits(GetLatticeBits(options, *stream));
+  }
+  const std::array<double, 2> reading{ bmtCpuSeconds() - cpu, bmtWallSeconds() - wall };
+  RunBuilder(builder, options, workspace, *stream, report);
+
+  bmtJson result;
+  result["output"] = options.Output;
+  result["seconds"] = bmtWallSeconds() - wall;
+  result["cpu_seconds"] = bmtCpuSeconds() - cpu;
+  result["triangles_per_cpu_second"] =
+    static_cast<double>(stream->GetNumberOfTriangles()) / std::max(1e-9, bmtCpuSeconds() - cpu);
+  result["reading_seconds"] = reading[1];
+  result["stages"] = DescribeStages(builder->GetStageTimes(), reading);
+  result["input_streamed"] = mesh->GetNumberOfPoints() == 0;
+  workspace.Describe(result);
+  result.update(DescribeInput(report));
+  return result;
+}
+
+bmtJson Build(const Options& options)
+{
+  bmtRequireWritable(options.Output);
+  for (const std::string& path : options.Input.Paths)
+  {
+    bmtRequireReadable(path);
+  }
+  vtkNew<vtkMultiTriangulationBuilder> builder;
+  Configure(options, options.LatticeBits, builder);
+  const bmtInputFiles files(options.Input.Paths);
+  std::string identity;
+  {
+    const bmtInterruptWatch watch(0.0, [] { return std::string(bmtInterrupt().what()); });
+    identity = GetIdentity(options, files, builder);
+  }
+  builder->SetInputIdentity(identity.c_str());
+  bmtJson result;
+  if (options.Workspace.Resume && IsFinished(options.Output, identity))
+  {
+    bmtWorkspace(options.Workspace, options.Output).RemoveCheckpoint();
+    result["output"] = options.Output;
+    result["was_finished"] = true;
+  }
+  else
+  {
+    result = BuildModel(options, files, builder);
+  }
+  result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), std::filesystem::file_size(options.Output)));
   return result;
 }
 
@@ -293,6 +367,8 @@ void AddOptions(CLI::App& command, Options& options)
     command.add_option("--arrays", options.Arrays, "The input's arrays to keep, with commas between; \"\": none")
       ->delimiter(',');
   command.add_flag("--no-ids", options.NoIds, "Do not keep the input's cell ids, by which picking finds cells");
+  command.add_flag("--exact", options.Exact,
+    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
   command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
     "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
   bmtAddWorkspaceOptions(command, options.Workspace);

@@ -47,6 +47,7 @@ void bmtCatchInterrupts()
   action.sa_handler = HandleInterrupt;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool bmtIsInterrupted()
@@ -59,6 +60,40 @@ void bmtThrowIfInterrupted()
   if (bmtIsInterrupted())
   {
     throw bmtInterrupt();
+  }
+}
+
+bmtInterruptWatch::bmtInterruptWatch(double patience, std::function<std::string()> leave)
+  : Thread([this, patience, leave = std::move(leave)] { this->Watch(patience, leave); })
+{
+}
+
+bmtInterruptWatch::~bmtInterruptWatch()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->HasEnded = true;
+  }
+  this->Ended.notify_one();
+  this->Thread.join();
+}
+
+void bmtInterruptWatch::Watch(double patience, const std::function<std::string()>& leave)
+{
+  std::unique_lock<std::mutex> lock(this->Mutex);
+  const auto endsWithin = [&](double seconds)
+  { return this->Ended.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return this->HasEnded; }); };
+  while (!bmtIsInterrupted())
+  {
+    if (endsWithin(0.05))
+    {
+      return;
+    }
+  }
+  if (!endsWithin(patience))
+  {
+    bmtWarn(leave());
+    _exit(bmtExit::Interrupted);
   }
 }
 

@@ -11,10 +11,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace CLI
 {
@@ -49,11 +52,34 @@ struct bmtExit
 };
 
 ///@{
-/// Ctrl-C and SIGTERM set a flag that long loops ask for; a second one ends the program at once.
+/// Ctrl-C and SIGTERM set a flag that long loops ask for; a second one ends the program at once. A write beyond the
+/// largest size that files may have (ulimit -f) is an error like any other instead of a signal.
 void bmtCatchInterrupts();
 bool bmtIsInterrupted();
 void bmtThrowIfInterrupted();
 ///@}
+
+/**
+ * While it lives an interruption ends the program within a second, whatever that is doing: for work that loses nothing
+ * by it. Where the work does not end by itself in `patience` seconds, `leave` runs in a thread of its own; it cleans up
+ * and gives what is to be said.
+ */
+class bmtInterruptWatch
+{
+public:
+  bmtInterruptWatch(double patience, std::function<std::string()> leave);
+  ~bmtInterruptWatch();
+  bmtInterruptWatch(const bmtInterruptWatch&) = delete;
+  void operator=(const bmtInterruptWatch&) = delete;
+
+private:
+  void Watch(double patience, const std::function<std::string()>& leave);
+
+  std::mutex Mutex;
+  std::condition_variable Ended;
+  bool HasEnded = false;
+  std::thread Thread;
+};
 
 /**
  * A line of progress on standard error while the object lives; nothing at all when standard error is no terminal.

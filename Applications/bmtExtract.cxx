@@ -5,6 +5,7 @@
 #include "vtkMTCut.h"
 #include "vtkMTExtraction.h"
 #include "vtkMTGraph.h"
+#include "vtkMTOutputFile.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMultiTriangulation.h"
 
@@ -14,7 +15,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <set>
 
 namespace
 {
@@ -22,11 +25,13 @@ struct Options
 {
   std::string File;
   std::string Output;
+  std::string BlobFolder;
   std::uint64_t Triangles = 0;
   double Error = -1.0;
   std::uint32_t Level = 0;
   CLI::Option* HasTriangles = nullptr;
   CLI::Option* HasError = nullptr;
+  CLI::Option* HasLevel = nullptr;
 };
 
 vtkMTCut ChooseCut(const vtkMTGraph& graph, const Options& options)
@@ -66,22 +71,79 @@ bmtJson DescribeCut(const vtkMTGraph& graph, const vtkMTCut& cut)
   }
   json["triangles"] = cut.GetNumberOfTriangles();
   json["patches"] = cut.GetNumberOfArcs();
-  json["error"] = cut.GetError();
+  // The input's own coordinates have no error.
+  const bool isExact = coarsest == 0 &&
+    std::any_of(graph.Arrays.begin(), graph.Arrays.end(),
+      [](const vtkMTArrayInfo& array) { return array.Role == vtkMTArrayInfo::ExactPoints; });
+  json["error"] = isExact ? 0.0 : cut.GetError();
+  json["exact"] = isExact;
   json["finest_level"] = finest;
   json["coarsest_level"] = coarsest;
   return json;
 }
 
-bmtJson Extract(const Options& options)
+// Names come from the input, of which nothing is known: what is left is one that can only be in the folder.
+std::string MakeFileName(const std::string& blob, std::set<std::string>& taken)
+{
+  constexpr std::size_t longest = 200;
+  const std::size_t slash = blob.find_last_of("/\\");
+  std::string name = slash == std::string::npos ? blob : blob.substr(slash + 1);
+  std::replace_if(
+    name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127 || c == ':'; }, '_');
+  name = name.substr(name.size() > longest ? name.size() - longest : 0);
+  const bool isName = name.find_first_not_of('.') != std::string::npos;
+  name = isName && name[0] != '.' ? name : "blob" + name;
+  const std::filesystem::path path(name);
+  for (int i = 2; !taken.insert(name).second; ++i)
+  {
+    name = path.stem().string() + "-" + std::to_string(i) + path.extension().string();
+  }
+  return name;
+}
+
+bmtJson ExtractBlobs(const vtkMTPatchSource& source, const std::string& folder)
+{
+  std::error_code code;
+  if (!std::filesystem::is_directory(folder, code))
+  {
+    throw bmtError(folder + ": is no folder; make it first");
+  }
+  bmtJson list = bmtJson::array();
+  std::set<std::string> taken;
+  for (std::uint32_t i = 0; i < source.GetGraph().Blobs.size(); ++i)
+  {
+    const vtkMTBlobInfo& blob = source.GetGraph().Blobs[i];
+    std::vector<unsigned char> bytes;
+    std::string error;
+    if (!source.ReadBlob(i, bytes, error))
+    {
+      throw bmtError(error);
+    }
+    vtkMTOutputFile file;
+    const std::string path = (std::filesystem::path(folder) / MakeFileName(blob.Name, taken)).string();
+    if (!file.Open(path) || !file.Write(bytes.data(), bytes.size()) || !file.Commit())
+    {
+      throw bmtError(file.GetError());
+    }
+    bmtJson entry;
+    entry["name"] = blob.Name;
+    entry["file"] = path;
+    entry["type"] = blob.Type;
+    entry["bytes"] = bytes.size();
+    entry.update(bmtJson(blob.Properties));
+    list.push_back(entry);
+  }
+  return list;
+}
+
+bmtJson ExtractCut(const Options& options, const vtkMTPatchSource& source)
 {
   bmtRequireWritable(options.Output);
   bmtRequireMeshEnding(options.Output);
-  const double start = bmtWallSeconds();
-  const std::shared_ptr<const vtkMTPatchSource> source = bmtOpenModel(options.File);
-  const vtkMTCut cut = ChooseCut(source->GetGraph(), options);
+  const vtkMTCut cut = ChooseCut(source.GetGraph(), options);
   vtkNew<vtkPolyData> mesh;
   std::string error;
-  if (!vtkMultiTriangulation::CutToPolyData(*source, cut, mesh, error))
+  if (!vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error))
   {
     throw bmtError(error);
   }
@@ -89,9 +151,31 @@ bmtJson Extract(const Options& options)
   const std::vector<std::string> dropped = bmtWriteMesh(options.Output, mesh);
   bmtJson result;
   result["output"] = options.Output;
-  result.update(DescribeCut(source->GetGraph(), cut));
+  result.update(DescribeCut(source.GetGraph(), cut));
   result["points"] = mesh->GetNumberOfPoints();
   result["dropped_arrays"] = dropped;
+  return result;
+}
+
+bmtJson Extract(const Options& options)
+{
+  const bool hasCut = options.HasTriangles->count() + options.HasError->count() + options.HasLevel->count() > 0;
+  if (hasCut != !options.Output.empty() || (!hasCut && options.BlobFolder.empty()))
+  {
+    throw bmtError(hasCut ? "-o is missing, which names the mesh to write"
+                          : "one of --triangles, --error and --level is missing, which say what to write");
+  }
+  const double start = bmtWallSeconds();
+  const std::shared_ptr<const vtkMTPatchSource> source = bmtOpenModel(options.File);
+  bmtJson result = bmtJson::object();
+  if (hasCut)
+  {
+    result = ExtractCut(options, *source);
+  }
+  if (!options.BlobFolder.empty())
+  {
+    result["blobs"] = ExtractBlobs(*source, options.BlobFolder);
+  }
   result["seconds"] = bmtWallSeconds() - start;
   return result;
 }
@@ -105,19 +189,20 @@ void bmtAddExtract(CLI::App& app, bmtContext& context)
     "A point appears more than once only where its attribute values differ (wedges). Where N is 50 mean patches or\n"
     "more, at least 90 % of N are used; N below the coarsest cut is an error. dropped_arrays names the arrays that "
     "the\n"
-    "format has no form for.");
+    "format has no form for. Level 0 of a model that was built with --exact is the input bit for bit.");
   bmtAddModelArgument(*command, options->File);
-  command->add_option("-o,--output", options->Output, "The mesh to write: .ply, .stl, .obj, .vtp, .gltf or .glb")
-    ->required();
-  CLI::Option_group* which = command->add_option_group("which cut", "Exactly one of these");
+  command->add_option("-o,--output", options->Output, "The mesh to write: .ply, .stl, .obj, .vtp, .gltf or .glb");
+  command->add_option("--blobs", options->BlobFolder,
+    "Write what the model carries besides, such as textures, into this folder, under the names that the input gave");
+  CLI::Option_group* which = command->add_option_group("which cut", "One of these, with -o");
   options->HasTriangles =
     which->add_option("--triangles", options->Triangles, "The most precise cut of at most N triangles");
   options->HasError = which
                         ->add_option("--error", options->Error,
                           "The coarsest cut that is certified to be within E model units of the input")
                         ->check(CLI::NonNegativeNumber);
-  which->add_option("--level", options->Level, "The cut of one level; 0 is the finest");
-  which->require_option(1);
+  options->HasLevel = which->add_option("--level", options->Level, "The cut of one level; 0 is the finest");
+  which->require_option(0, 1);
   bmtAddCommonOptions(*command, context);
   command->callback(
     [options, &context]

@@ -3,9 +3,11 @@
 #include "bmtModel.h"
 
 #include "vtkMTCut.h"
+#include "vtkMTFileByteSource.h"
 #include "vtkMTGraph.h"
 #include "vtkMTMeshMerge.h"
 #include "vtkMTMeshReader.h"
+#include "vtkMTMeshStream.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTTerrain.h"
 #include "vtkMTTextureCollector.h"
@@ -18,7 +20,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdio>
 #include <memory>
+#include <set>
+
+#include <sys/stat.h>
+#include <xxhash.h>
 
 namespace
 {
@@ -181,12 +189,169 @@ bmtInputReport bmtReadInput(const bmtInput& input, vtkPolyData* mesh)
   return report;
 }
 
-bmtInputStream::bmtInputStream(vtkPolyData* mesh, const std::map<std::string, std::int64_t>& counts)
-  : Mesh(mesh)
-  , Report(this->Mesh.GetReport())
+std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
+  const bmtInput& input, vtkMTSpoolStore& store, std::uint64_t memory, bmtInputReport& report)
+{
+  if (input.Paths.size() != 1)
+  {
+    return nullptr;
+  }
+  const std::string& path = input.Paths.front();
+  vtkMTMeshStream::Settings settings;
+  settings.Store = &store;
+  settings.Memory = static_cast<std::size_t>(memory / 8);
+  settings.LeastSize = memory / 32;
+  const vtkNew<vtkPolyData> names;
+  std::unique_ptr<vtkMTTriangleStream> stream = vtkMTMeshStream::Open(path, settings, names);
+  if (stream)
+  {
+    vtkMTTextureCollector collector;
+    collector.Collect(path, names, -1);
+    report.Textures = collector.GetTextures();
+    report.Problems = collector.GetProblems();
+  }
+  return stream;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+std::string ToText(std::uint64_t hash)
+{
+  char text[17];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+}
+
+bmtInputFiles::State bmtInputFiles::Look(const std::string& path)
+{
+  State state;
+  state.Path = path;
+  struct stat status;
+  if (::stat(path.c_str(), &status) == 0)
+  {
+    state.Size = static_cast<std::uint64_t>(status.st_size);
+    state.Time = static_cast<std::int64_t>(status.st_mtim.tv_sec) * 1000000000 + status.st_mtim.tv_nsec;
+    state.File = static_cast<std::uint64_t>(status.st_ino);
+  }
+  return state;
+}
+
+bmtInputFiles::bmtInputFiles(const std::vector<std::string>& paths)
+{
+  std::transform(paths.begin(), paths.end(), std::back_inserter(this->Files), Look);
+}
+
+std::string bmtInputFiles::FindChanged() const
+{
+  const auto changed =
+    std::find_if(this->Files.begin(), this->Files.end(), [](const State& file) { return !(Look(file.Path) == file); });
+  return changed == this->Files.end() ? "" : changed->Path;
+}
+
+std::string bmtInputFiles::GetHash() const
+{
+  constexpr std::size_t blockSize = std::size_t(1) << 20;
+  const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> hash(XXH3_createState(), XXH3_freeState);
+  XXH3_64bits_reset(hash.get());
+  std::vector<unsigned char> block(blockSize);
+  std::string error;
+  for (const State& file : this->Files)
+  {
+    const auto bytes = vtkMTFileByteSource::Open(file.Path, error);
+    const std::uint64_t size = bytes ? bytes->GetSize() : 0;
+    XXH3_64bits_update(hash.get(), &size, sizeof(size)); // where one file ends and the next begins
+    for (std::uint64_t place = 0; error.empty() && place < size; place += blockSize)
+    {
+      const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(blockSize, size - place));
+      if (bytes->Read(place, count, block.data(), error))
+      {
+        XXH3_64bits_update(hash.get(), block.data(), count);
+      }
+    }
+    if (!error.empty())
+    {
+      throw bmtError(error);
+    }
+  }
+  return ToText(XXH3_64bits_digest(hash.get()));
+}
+
+std::string bmtHash(const std::string& text)
+{
+  return ToText(XXH3_64bits(text.data(), text.size()));
+}
+
+//------------------------------------------------------------------------------
+bmtInputStream::bmtInputStream(std::unique_ptr<vtkMTTriangleStream> input, const bmtInputFiles& files,
+  const std::map<std::string, std::int64_t>& counts, const std::vector<std::string>* keep)
+  : Input(std::move(input))
+  , Files(files)
+  , Report(this->Input->GetReport())
 {
   for (const auto& [name, count] : counts)
   {
     this->Report[name] += count;
   }
+  std::set<std::string> missing;
+  if (keep)
+  {
+    missing.insert(keep->begin(), keep->end());
+  }
+  const std::set<std::string> wanted = missing;
+  std::size_t columns[2] = { 0, 0 };
+  for (const vtkMTArrayInfo& info : this->Input->GetArrays())
+  {
+    const bool isCell = info.Association == vtkMTArrayInfo::Cell;
+    std::vector<std::size_t>& dropped = isCell ? this->DroppedCellColumns : this->DroppedPointColumns;
+    missing.erase(info.Name);
+    if (!keep || wanted.count(info.Name) > 0)
+    {
+      this->Arrays.push_back(info);
+    }
+    else
+    {
+      dropped.insert(dropped.begin(), columns[isCell ? 1 : 0]);
+    }
+    ++columns[isCell ? 1 : 0];
+  }
+  if (!missing.empty())
+  {
+    throw bmtError("--arrays: the input has no array \"" + *missing.begin() + "\"");
+  }
+}
+
+bmtInputStream::~bmtInputStream() = default;
+
+namespace
+{
+void Drop(const std::vector<std::size_t>& dropped, std::vector<vtkMTColumn>& columns)
+{
+  for (const std::size_t column : dropped)
+  {
+    columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(std::min(column, columns.size())),
+      columns.begin() + static_cast<std::ptrdiff_t>(std::min(column + 1, columns.size())));
+  }
+}
+}
+
+bool bmtInputStream::NextPoints(PointBlock& block)
+{
+  const bool good = this->Keep(this->Input->NextPoints(block));
+  Drop(this->DroppedPointColumns, block.Columns);
+  return good;
+}
+
+bool bmtInputStream::NextTriangles(TriangleBlock& block)
+{
+  const bool good = this->Keep(this->Input->NextTriangles(block));
+  Drop(this->DroppedCellColumns, block.Columns);
+  const std::string changed = good && !block.Triangles.empty() ? "" : this->Files.FindChanged();
+  if (!changed.empty())
+  {
+    this->Error = changed + ": has changed while it was read; build again when it is complete" +
+      (this->Error.empty() ? "" : " (" + this->Error + ")");
+  }
+  return good && changed.empty();
 }

@@ -8,16 +8,17 @@
 
 #include "bmtCommon.h"
 
-#include "vtkMTPolyDataStream.h"
 #include "vtkMTTexture.h"
 #include "vtkMTTriangleStream.h"
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+class vtkMTSpoolStore;
 class vtkPolyData;
 
 /// What the command line says of the input.
@@ -58,28 +59,75 @@ void bmtAddInputOptions(CLI::App& command, bmtInput& input);
  */
 bmtInputReport bmtReadInput(const bmtInput& input, vtkPolyData* mesh);
 
-/// A polydata as a stream whose report says more.
+/**
+ * The input as a stream that is never in memory whole, or null where it has to be: for several inputs, and for kinds of
+ * files that are not streamed. store and memory: for what is sorted.
+ */
+std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
+  const bmtInput& input, vtkMTSpoolStore& store, std::uint64_t memory, bmtInputReport& report);
+
+/// A hash (XXH3-64) of the text, as text.
+std::string bmtHash(const std::string& text);
+
+/// The input's files as they are on the disk: to see whether they change.
+class bmtInputFiles
+{
+public:
+  explicit bmtInputFiles(const std::vector<std::string>& paths);
+  /// The first file that is not any more what it was; empty when there is none.
+  std::string FindChanged() const;
+  /// A hash (XXH3-64) of all that is in the files, one after the other.
+  std::string GetHash() const;
+
+private:
+  struct State
+  {
+    std::string Path;
+    std::uint64_t Size = 0;
+    std::int64_t Time = 0;
+    std::uint64_t File = 0;
+    bool operator==(const State& other) const
+    {
+      return this->Size == other.Size && this->Time == other.Time && this->File == other.File;
+    }
+  };
+  static State Look(const std::string& path);
+
+  std::vector<State> Files;
+};
+
+/**
+ * The input as `bmt build` uses it: arrays that are not wanted are left out, what was counted while the input was read
+ * is in the report, and files that changed while they were read are an error.
+ */
 class bmtInputStream : public vtkMTTriangleStream
 {
 public:
-  bmtInputStream(vtkPolyData* mesh, const std::map<std::string, std::int64_t>& counts);
+  /// keep: the arrays' names; null: all. Throws bmtError when there is no array of a name.
+  bmtInputStream(std::unique_ptr<vtkMTTriangleStream> input, const bmtInputFiles& files,
+    const std::map<std::string, std::int64_t>& counts, const std::vector<std::string>* keep);
+  ~bmtInputStream() override;
 
-  const std::vector<vtkMTArrayInfo>& GetArrays() const override { return this->Mesh.GetArrays(); }
-  std::uint64_t GetNumberOfPoints() const override { return this->Mesh.GetNumberOfPoints(); }
-  std::uint64_t GetNumberOfTriangles() const override { return this->Mesh.GetNumberOfTriangles(); }
+  const std::vector<vtkMTArrayInfo>& GetArrays() const override { return this->Arrays; }
+  std::uint64_t GetNumberOfPoints() const override { return this->Input->GetNumberOfPoints(); }
+  std::uint64_t GetNumberOfTriangles() const override { return this->Input->GetNumberOfTriangles(); }
   const std::map<std::string, std::int64_t>& GetReport() const override { return this->Report; }
-  bool Rewind() override { return this->Keep(this->Mesh.Rewind()); }
-  bool NextPoints(PointBlock& block) override { return this->Keep(this->Mesh.NextPoints(block)); }
-  bool NextTriangles(TriangleBlock& block) override { return this->Keep(this->Mesh.NextTriangles(block)); }
+  bool Rewind() override { return this->Keep(this->Input->Rewind()); }
+  bool NextPoints(PointBlock& block) override;
+  bool NextTriangles(TriangleBlock& block) override;
 
 private:
   bool Keep(bool good)
   {
-    this->Error = this->Mesh.GetError();
+    this->Error = good ? "" : this->Input->GetError();
     return good;
   }
 
-  vtkMTPolyDataStream Mesh;
+  std::unique_ptr<vtkMTTriangleStream> Input;
+  const bmtInputFiles Files;
+  std::vector<vtkMTArrayInfo> Arrays;
+  std::vector<std::size_t> DroppedPointColumns; // from the last to the first
+  std::vector<std::size_t> DroppedCellColumns;
   std::map<std::string, std::int64_t> Report;
 };
 

@@ -54,7 +54,7 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
   for (const vtkMTArrayInfo& array : arrays)
   {
     static const char* const resampling[] = { "interpolate", "nearest", "direction" };
-    static const char* const roles[] = { "plain", "input_cell_ids", "made_normals" };
+    static const char* const roles[] = { "plain", "input_cell_ids", "made_normals", "exact_points" };
     bmtJson entry;
     entry["name"] = array.Name;
     entry["association"] = array.Association == vtkMTArrayInfo::Point ? "point" : "cell";

@@ -22,10 +22,12 @@ bool IsIds(const vtkMTArrayInfo& array)
 }
 }
 
-bmtModelSink::bmtModelSink(vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds)
+bmtModelSink::bmtModelSink(
+  vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds, const std::string& identity)
   : Next(next)
   , Textures(textures)
   , WithIds(withIds)
+  , Identity(identity)
 {
 }
 
@@ -118,6 +120,7 @@ bool bmtModelSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32
 {
   vtkMTGraph finished = graph;
   finished.Arrays = this->Select(graph.Arrays);
+  finished.Settings["build"] = this->Identity;
   std::vector<vtkMTBlobInfo> blobs;
   std::transform(this->Textures.begin(), this->Textures.end(), std::back_inserter(blobs), Describe);
   finished.Blobs.insert(finished.Blobs.begin(), blobs.begin(), blobs.end());

@@ -17,8 +17,10 @@
 class bmtModelSink : public vtkMTPatchSink
 {
 public:
-  /// textures become blobs of the model; without ids the array of input cell ids is left out.
-  bmtModelSink(vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds);
+  /// textures become blobs of the model; without ids the array of input cell ids is left out. identity: what tells the
+  /// build from others, kept as the setting "build" by which a finished build is known again.
+  bmtModelSink(
+    vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds, const std::string& identity);
 
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
   bool WritePatch(vtkMTPatch&& patch) override;
@@ -39,6 +41,7 @@ private:
   vtkMTPatchSink& Next;
   const std::vector<vtkMTTexture>& Textures;
   const bool WithIds;
+  const std::string Identity;
   std::vector<std::size_t> DroppedCellColumns; // from the last to the first
 };
 

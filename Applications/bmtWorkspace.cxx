@@ -4,6 +4,7 @@
 #include "vtkMTFileSpoolStore.h"
 #include "vtkMTMemoryPlan.h"
 #include "vtkMTMemorySpoolStore.h"
+#include "vtkMTOutputFile.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMultiTriangulationBuilder.h"
 
@@ -109,7 +110,10 @@ bmtWorkspace::bmtWorkspace(const bmtWorkspaceOptions& options, const std::string
   {
     throw bmtError(options.Temp + ": no such folder for temporary files; make it first");
   }
-  this->Folder = ((parent.empty() ? fs::path(".") : parent) / (name.string() + ".build")).string();
+  const fs::path folder = parent.empty() ? fs::path(".") : parent;
+  this->Folder = (folder / (name.string() + ".build")).string();
+  this->Scratch = std::make_unique<vtkMTScratchStore>(folder.string());
+  vtkMTOutputFile::RemoveStrays(output);
 }
 
 bmtWorkspace::~bmtWorkspace() = default;
@@ -121,7 +125,7 @@ vtkMTSpoolStore* bmtWorkspace::GetStore() const
 
 void bmtWorkspace::Prepare(const vtkMTTriangleStream& input, vtkMultiTriangulationBuilder* builder)
 {
-  const bool hasState = vtkMTFileSpoolStore::HasState(this->Folder);
+  const bool hasState = this->HasCheckpoint();
   if (hasState && !this->Options.Resume)
   {
     throw bmtError(this->Folder + " holds an unfinished build of " + this->Output +
@@ -183,15 +187,43 @@ void bmtWorkspace::OpenFolder()
   }
 }
 
+bool bmtWorkspace::HasCheckpoint() const
+{
+  return vtkMTFileSpoolStore::HasState(this->Folder);
+}
+
+void bmtWorkspace::RemoveCheckpoint()
+{
+  if (this->HasCheckpoint())
+  {
+    this->OpenFolder();
+    this->Files->Clear();
+    this->Files.reset();
+  }
+}
+
+std::string bmtWorkspace::Leave() const
+{
+  vtkMTOutputFile::RemoveStrays(this->Output, true);
+  const bool canResume = this->HasCheckpoint();
+  if (!canResume && this->Files)
+  {
+    vtkMTFileSpoolStore::RemoveFiles(this->Folder);
+  }
+  return "interrupted; " + this->Output + " is as it was" + this->GetAdvice(canResume);
+}
+
 std::string bmtWorkspace::GetAdvice(bool canResume) const
 {
-  return canResume ? "; the same command with --resume goes on from the last checkpoint, in " + this->Folder : "";
+  return canResume && this->HasCheckpoint()
+    ? "; the same command with --resume goes on from the last checkpoint, in " + this->Folder
+    : "";
 }
 
 void bmtWorkspace::Describe(bmtJson& result) const
 {
   result["memory_limit_bytes"] = this->Limit;
   result["peak_memory_bytes"] = bmtGetPeakMemory();
-  result["temporary_bytes"] = this->Files ? this->Files->GetLargestSize() : 0;
+  result["temporary_bytes"] = (this->Files ? this->Files->GetLargestSize() : 0) + this->Scratch->GetLargestSize();
   result["temporary_bytes_estimated"] = this->Estimate;
 }

@@ -13,6 +13,8 @@
 
 #include "bmtCommon.h"
 
+#include "vtkMTScratchStore.h"
+
 #include <memory>
 
 class vtkMTFileSpoolStore;
@@ -49,9 +51,18 @@ public:
 
   /// For a sink that can be resumed; null when everything is in memory.
   vtkMTSpoolStore* GetStore() const;
+  /// For what is sorted while the input is opened.
+  vtkMTSpoolStore& GetScratch() const { return *this->Scratch; }
+  std::uint64_t GetLimit() const { return this->Limit; }
 
+  /// Whether there is a build to go on with.
+  bool HasCheckpoint() const;
+  /// Removes it: it is finished.
+  void RemoveCheckpoint();
   /// What to say after a build that failed: how to go on, if one can.
   std::string GetAdvice(bool canResume) const;
+  /// When the program is to end in the middle of the work: removes what cannot be resumed, and says what is left.
+  std::string Leave() const;
   void Describe(bmtJson& result) const;
 
 private:
@@ -63,6 +74,7 @@ private:
   std::string Folder;
   std::uint64_t Limit = 0;
   std::uint64_t Estimate = 0;
+  std::unique_ptr<vtkMTScratchStore> Scratch;
   std::shared_ptr<vtkMTFileSpoolStore> Files;
   std::shared_ptr<vtkMTSpoolStore> Memory;
 };

@@ -16,10 +16,26 @@ bool IsDirection(const vtkMTArrayInfo& array)
   return array.Role == vtkMTArrayInfo::MadeNormals && array.GetTupleSize() == 3 * sizeof(float);
 }
 
+// Residuals have nothing to do with the ones before them.
+bool IsResidual(const vtkMTArrayInfo& array)
+{
+  return array.Role == vtkMTArrayInfo::ExactPoints;
+}
+
+// What a tuple is made of, and whether differences to the tuple before are packed.
+struct Layout
+{
+  std::size_t Tuples;
+  std::size_t Components;
+  std::size_t Size; // of a component
+  bool HasDifferences;
+};
+
 template <class Number>
-void PackNumbers(const unsigned char* values, std::size_t tuples, std::size_t components, unsigned char* packed)
+void PackNumbers(const unsigned char* values, const Layout& layout, unsigned char* packed)
 {
   constexpr unsigned bits = 8 * sizeof(Number);
+  const auto [tuples, components, size, hasDifferences] = layout;
   const std::size_t plane = tuples * components;
   for (std::size_t c = 0; c < components; ++c)
   {
@@ -31,7 +47,7 @@ void PackNumbers(const unsigned char* values, std::size_t tuples, std::size_t co
       const Number difference = static_cast<Number>(value - before);
       const Number sign = static_cast<Number>(difference >> (bits - 1));
       const Number code = static_cast<Number>(static_cast<Number>(difference << 1) ^ static_cast<Number>(0 - sign));
-      before = value;
+      before = hasDifferences ? value : before;
       for (std::size_t byte = 0; byte < sizeof(Number); ++byte)
       {
         packed[byte * plane + c * tuples + i] = static_cast<unsigned char>(code >> (8 * byte));
@@ -41,8 +57,10 @@ void PackNumbers(const unsigned char* values, std::size_t tuples, std::size_t co
 }
 
 template <class Number>
-void UnpackNumbers(const unsigned char* packed, std::size_t tuples, std::size_t components, unsigned char* values)
+void UnpackNumbers(const unsigned char* packed, const Layout& layout, unsigned char* values)
 {
+  const auto [tuples, components, size, hasDifferences] = layout;
+  const Number mask = static_cast<Number>(hasDifferences ? ~Number(0) : 0);
   const std::size_t plane = tuples * components;
   for (std::size_t c = 0; c < components; ++c)
   {
@@ -56,9 +74,10 @@ void UnpackNumbers(const unsigned char* packed, std::size_t tuples, std::size_t 
           static_cast<Number>(code | static_cast<Number>(Number(packed[byte * plane + c * tuples + i]) << (8 * byte)));
       }
       const Number sign = static_cast<Number>(code & 1);
-      before = static_cast<Number>(
+      const Number value = static_cast<Number>(
         before + static_cast<Number>(static_cast<Number>(code >> 1) ^ static_cast<Number>(0 - sign)));
-      std::memcpy(values + (i * components + c) * sizeof(Number), &before, sizeof(Number));
+      std::memcpy(values + (i * components + c) * sizeof(Number), &value, sizeof(Number));
+      before = static_cast<Number>(value & mask);
     }
   }
 }
@@ -79,24 +98,33 @@ void ForSize(std::size_t size, Run1&& run1, Run2&& run2, Run4&& run4, Run8&& run
   }
 }
 
-void PackPlain(
-  const unsigned char* values, std::size_t tuples, std::size_t components, std::size_t size, unsigned char* packed)
+void PackPlain(const unsigned char* values, const Layout& layout, unsigned char* packed)
 {
   ForSize(
-    size, [&] { PackNumbers<std::uint8_t>(values, tuples, components, packed); },
-    [&] { PackNumbers<std::uint16_t>(values, tuples, components, packed); },
-    [&] { PackNumbers<std::uint32_t>(values, tuples, components, packed); },
-    [&] { PackNumbers<std::uint64_t>(values, tuples, components, packed); });
+    layout.Size, [&] { PackNumbers<std::uint8_t>(values, layout, packed); },
+    [&] { PackNumbers<std::uint16_t>(values, layout, packed); },
+    [&] { PackNumbers<std::uint32_t>(values, layout, packed); },
+    [&] { PackNumbers<std::uint64_t>(values, layout, packed); });
 }
 
-void UnpackPlain(
-  const unsigned char* packed, std::size_t tuples, std::size_t components, std::size_t size, unsigned char* values)
+void UnpackPlain(const unsigned char* packed, const Layout& layout, unsigned char* values)
 {
   ForSize(
-    size, [&] { UnpackNumbers<std::uint8_t>(packed, tuples, components, values); },
-    [&] { UnpackNumbers<std::uint16_t>(packed, tuples, components, values); },
-    [&] { UnpackNumbers<std::uint32_t>(packed, tuples, components, values); },
-    [&] { UnpackNumbers<std::uint64_t>(packed, tuples, components, values); });
+    layout.Size, [&] { UnpackNumbers<std::uint8_t>(packed, layout, values); },
+    [&] { UnpackNumbers<std::uint16_t>(packed, layout, values); },
+    [&] { UnpackNumbers<std::uint32_t>(packed, layout, values); },
+    [&] { UnpackNumbers<std::uint64_t>(packed, layout, values); });
+}
+
+Layout GetLayout(const vtkMTArrayInfo& array, std::size_t tuples)
+{
+  const auto components = static_cast<std::size_t>(array.Components);
+  return { tuples, components, array.GetTupleSize() / components, !IsResidual(array) };
+}
+
+Layout GetNetLayout(std::size_t tuples)
+{
+  return { tuples, 2, sizeof(std::uint16_t), true };
 }
 
 std::uint16_t ToNet(float x)
@@ -155,8 +183,7 @@ std::vector<unsigned char> Pack(const vtkMTArrayInfo& array, const vtkMTColumn& 
   std::vector<unsigned char> packed(static_cast<std::size_t>(GetPackedSize(array, tuples)));
   if (!IsDirection(array))
   {
-    const auto components = static_cast<std::size_t>(array.Components);
-    PackPlain(column.data(), tuples, components, array.GetTupleSize() / components, packed.data());
+    PackPlain(column.data(), GetLayout(array, tuples), packed.data());
     return packed;
   }
   std::vector<std::array<std::uint16_t, 2>> places(tuples);
@@ -166,7 +193,7 @@ std::vector<unsigned char> Pack(const vtkMTArrayInfo& array, const vtkMTColumn& 
     std::memcpy(direction.data(), column.data() + i * sizeof(direction), sizeof(direction));
     places[i] = EncodeDirection(direction);
   }
-  PackPlain(reinterpret_cast<const unsigned char*>(places.data()), tuples, 2, sizeof(std::uint16_t), packed.data());
+  PackPlain(reinterpret_cast<const unsigned char*>(places.data()), GetNetLayout(tuples), packed.data());
   return packed;
 }
 
@@ -176,12 +203,11 @@ void Unpack(
   column.resize(tuples * array.GetTupleSize());
   if (!IsDirection(array))
   {
-    const auto components = static_cast<std::size_t>(array.Components);
-    UnpackPlain(packed.data(), tuples, components, array.GetTupleSize() / components, column.data());
+    UnpackPlain(packed.data(), GetLayout(array, tuples), column.data());
     return;
   }
   std::vector<std::array<std::uint16_t, 2>> places(tuples);
-  UnpackPlain(packed.data(), tuples, 2, sizeof(std::uint16_t), reinterpret_cast<unsigned char*>(places.data()));
+  UnpackPlain(packed.data(), GetNetLayout(tuples), reinterpret_cast<unsigned char*>(places.data()));
   for (std::size_t i = 0; i < tuples; ++i)
   {
     const std::array<float, 3> direction = DecodeDirection(places[i]);

@@ -134,11 +134,23 @@ bool CheckNode(const vtkMTNode& node)
     std::isfinite(node.Center[0]) && std::isfinite(node.Center[1]) && std::isfinite(node.Center[2]);
 }
 
+// The axis of a cone that culls has length 1; one that culls nothing may say what it likes, as long as it is finite.
+bool CheckCone(const vtkMTArc& arc)
+{
+  double square = 0.0;
+  bool finite = std::isfinite(arc.ConeCosine);
+  for (const float x : arc.ConeAxis)
+  {
+    finite = finite && std::isfinite(x);
+    square += double(x) * x;
+  }
+  return finite && (arc.ConeCosine <= 0.0f || (arc.ConeCosine <= 1.0f && std::abs(square - 1.0) < 1e-3));
+}
+
 bool CheckArc(const vtkMTArc& arc, std::size_t nodes)
 {
   return arc.From < arc.To && arc.To < nodes && arc.SharedPoints <= arc.Points && IsLength(arc.MeanEdgeLength) &&
-    std::isfinite(arc.ConeCosine) && std::isfinite(arc.ConeAxis[0]) && std::isfinite(arc.ConeAxis[1]) &&
-    std::isfinite(arc.ConeAxis[2]);
+    CheckCone(arc);
 }
 
 // The sections lie one after the other, from the first byte after the DAG block to the end of the file.

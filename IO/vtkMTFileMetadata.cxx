@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTFileMetadata.h"
 
+#include "vtkMTExactPoints.h"
+
 #include <cstring>
 
 namespace
@@ -45,6 +47,7 @@ public:
     {
       this->Put(name);
     }
+    this->Put(array.Properties);
   }
 
   std::vector<unsigned char> Bytes;
@@ -113,7 +116,7 @@ public:
     if (!this->Get(array.Name) || !this->Get(type) || !this->Get(components) || !this->Get(attribute) ||
       !this->Get(tupleSize) || !this->Get(kinds) || !this->Get(names) || components < 1 ||
       kinds[0] > vtkMTArrayInfo::Cell || kinds[1] > vtkMTArrayInfo::Direction ||
-      kinds[2] > vtkMTArrayInfo::MadeNormals || kinds[3] != 0 ||
+      kinds[2] > vtkMTArrayInfo::ExactPoints || kinds[3] != 0 ||
       (names != 0 && names != static_cast<std::uint32_t>(components)))
     {
       return false;
@@ -131,6 +134,11 @@ public:
       {
         return false;
       }
+    }
+    if (!this->Get(array.Properties) ||
+      (array.Role == vtkMTArrayInfo::ExactPoints && !vtkMTExactPoints::IsSound(array)))
+    {
+      return false;
     }
     // A type whose size is another one here (long) cannot be read on this machine.
     return tupleSize > 0 && array.GetTupleSize() == tupleSize;

@@ -5,6 +5,7 @@
 #include "vtkMTFileDag.h"
 #include "vtkMTPatchCodec.h"
 
+#include <algorithm>
 #include <new>
 
 using vtkMTFileFormat::Align;
@@ -18,6 +19,41 @@ struct vtkMTFileSource::Internals
   const Section* SectionsOf(std::uint32_t arc, std::size_t arrays) const
   {
     return this->Directory.data() + std::size_t(arc) * (arrays + 1);
+  }
+
+  // A range of bytes that holds the wanted sections of some patches.
+  struct Run
+  {
+    std::uint64_t Begin = 0;
+    std::uint64_t End = 0;
+  };
+
+  // Takes the wanted sections of a patch into the range; false, and nothing done, when the range would become too long
+  // or would have too wide a gap.
+  bool Extend(Run& run, std::uint32_t arc, const std::vector<unsigned char>* arrays, const vtkMTGraph& graph) const
+  {
+    const Section* sections = this->SectionsOf(arc, graph.Arrays.size());
+    Run longer = run;
+    for (std::size_t i = 0; i <= graph.Arrays.size(); ++i)
+    {
+      if (i > 0 && arrays && (i > arrays->size() || !(*arrays)[i - 1]))
+      {
+        continue;
+      }
+      const std::uint64_t begin = sections[i].Offset;
+      longer.Begin = longer.End == 0 ? begin : longer.Begin;
+      if (longer.End != 0 && (begin < longer.End || begin - longer.End > vtkMTFileSource::MaximumGap))
+      {
+        return false;
+      }
+      longer.End = begin + Align(sections[i].StoredSize);
+    }
+    if (longer.End - longer.Begin > vtkMTFileSource::MaximumRead)
+    {
+      return false;
+    }
+    run = longer;
+    return true;
   }
 
   // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes).
@@ -46,9 +82,8 @@ struct vtkMTFileSource::Internals
       const unsigned char* data = buffer.data();
       for (; first < end; ++first)
       {
-        if (!vtkMTPatchCodec::Check(sections[first], data, error) || !use(first, data))
+        if (!use(first, data))
         {
-          error = "section " + std::to_string(first) + " " + error;
           return false;
         }
         data += Align(sections[first].StoredSize);
@@ -105,8 +140,9 @@ bool vtkMTFileSource::CanRead(const std::string& path)
   return bytes && bytes->Read(0, sizeof(begin), begin, error) && vtkMTFileDag::HasMagic(begin, sizeof(begin));
 }
 
-bool vtkMTFileSource::ReadPatch(
-  std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const
+// Empties the patch, gives it a column for each array, and says which sections are wanted.
+bool vtkMTFileSource::PreparePatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch,
+  std::vector<unsigned char>& wanted, std::string& error) const
 {
   patch = vtkMTPatch();
   const std::size_t arrayCount = this->Graph.Arrays.size();
@@ -115,38 +151,56 @@ bool vtkMTFileSource::ReadPatch(
     error = this->GetName() + ": a patch or an array was asked for that does not exist";
     return false;
   }
-  std::vector<unsigned char> wanted(arrayCount + 1, 1);
-  for (std::size_t i = 0; arrays && i < arrayCount; ++i)
+  wanted.assign(arrayCount + 1, 1);
+  std::size_t counts[2] = { 0, 0 };
+  for (std::size_t i = 0; i < arrayCount; ++i)
   {
-    wanted[i + 1] = (*arrays)[i];
+    wanted[i + 1] = arrays ? (*arrays)[i] : 1;
+    ++counts[this->Graph.Arrays[i].Association];
   }
-  std::vector<vtkMTColumn*> columns(arrayCount);
+  patch.PointColumns.resize(counts[vtkMTArrayInfo::Point]);
+  patch.CellColumns.resize(counts[vtkMTArrayInfo::Cell]);
+  return true;
+}
+
+bool vtkMTFileSource::DecodeSection(
+  std::uint32_t arc, std::size_t section, const unsigned char* data, vtkMTPatch& patch, std::string& error) const
+{
+  const vtkMTArc& record = this->Graph.Arcs[arc];
+  const Section& place = this->Implementation->SectionsOf(arc, this->Graph.Arrays.size())[section];
+  bool good = vtkMTPatchCodec::Check(place, data, error);
+  if (good && section == 0)
+  {
+    good = vtkMTPatchCodec::DecodeGeometry(place, data, record, patch, error);
+  }
+  else if (good)
+  {
+    const vtkMTArrayInfo& array = this->Graph.Arrays[section - 1];
+    const auto before =
+      std::count_if(this->Graph.Arrays.begin(), this->Graph.Arrays.begin() + static_cast<std::ptrdiff_t>(section - 1),
+        [&array](const vtkMTArrayInfo& other) { return other.Association == array.Association; });
+    auto& columns = array.Association == vtkMTArrayInfo::Point ? patch.PointColumns : patch.CellColumns;
+    good = vtkMTPatchCodec::DecodeColumn(place, data, record, array, columns[static_cast<std::size_t>(before)], error);
+  }
+  error = good ? error : "section " + std::to_string(section) + " " + error;
+  return good;
+}
+
+bool vtkMTFileSource::ReadPatch(
+  std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const
+{
   std::string reason;
   bool done = false;
   try
   {
-    std::size_t counts[2] = { 0, 0 };
-    for (const vtkMTArrayInfo& array : this->Graph.Arrays)
+    std::vector<unsigned char> wanted;
+    if (!this->PreparePatch(arc, arrays, patch, wanted, error))
     {
-      ++counts[array.Association];
+      return false;
     }
-    patch.PointColumns.resize(counts[vtkMTArrayInfo::Point]);
-    patch.CellColumns.resize(counts[vtkMTArrayInfo::Cell]);
-    std::size_t next[2] = { 0, 0 };
-    for (std::size_t i = 0; i < arrayCount; ++i)
-    {
-      const bool ofPoints = this->Graph.Arrays[i].Association == vtkMTArrayInfo::Point;
-      columns[i] = ofPoints ? &patch.PointColumns[next[0]++] : &patch.CellColumns[next[1]++];
-    }
-    const vtkMTArc& record = this->Graph.Arcs[arc];
-    const Section* sections = this->Implementation->SectionsOf(arc, arrayCount);
-    done = this->Implementation->Read(sections, wanted, reason,
+    done = this->Implementation->Read(this->Implementation->SectionsOf(arc, this->Graph.Arrays.size()), wanted, reason,
       [&](std::size_t section, const unsigned char* data)
-      {
-        return section == 0 ? vtkMTPatchCodec::DecodeGeometry(sections[0], data, record, patch, reason)
-                            : vtkMTPatchCodec::DecodeColumn(sections[section], data, record,
-                                this->Graph.Arrays[section - 1], *columns[section - 1], reason);
-      });
+      { return this->DecodeSection(arc, section, data, patch, reason); });
   }
   catch (const std::bad_alloc&)
   {
@@ -158,6 +212,83 @@ bool vtkMTFileSource::ReadPatch(
     error = this->GetName() + ": patch " + std::to_string(arc) + ": " + reason;
   }
   return done;
+}
+
+void vtkMTFileSource::ReadPatches(
+  const std::vector<std::uint32_t>& arcs, const std::vector<unsigned char>* arrays, const PatchUse& use) const
+{
+  const Internals& self = *this->Implementation;
+  std::vector<unsigned char> buffer;
+  for (std::size_t first = 0; first < arcs.size();)
+  {
+    // As many whole patches as one read may bring.
+    Internals::Run run;
+    std::size_t end = first;
+    while (end < arcs.size() && arcs[end] < this->Graph.Arcs.size() && self.Extend(run, arcs[end], arrays, this->Graph))
+    {
+      ++end;
+    }
+    bool read = end > first + 1;
+    try
+    {
+      std::string error;
+      buffer.resize(read ? static_cast<std::size_t>(run.End - run.Begin) : 0);
+      read = read && self.Bytes->Read(run.Begin, buffer.size(), buffer.data(), error);
+    }
+    catch (const std::bad_alloc&)
+    {
+      read = false;
+    }
+    // One patch alone, or a run that cannot be read as a whole: patch by patch.
+    const unsigned char* bytes = read ? buffer.data() : nullptr;
+    for (end = std::max(end, first + 1); first < end; ++first)
+    {
+      vtkMTPatch patch;
+      std::string error;
+      const bool good = bytes ? this->TakePatch(arcs[first], arrays, bytes, run.Begin, patch, error)
+                              : this->ReadPatch(arcs[first], arrays, patch, error);
+      use(first, good, patch, error);
+    }
+  }
+}
+
+// A patch out of bytes that were read for several.
+bool vtkMTFileSource::TakePatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, const unsigned char* bytes,
+  std::uint64_t begin, vtkMTPatch& patch, std::string& error) const
+{
+  std::string reason;
+  bool done = false;
+  try
+  {
+    std::vector<unsigned char> wanted;
+    if (!this->PreparePatch(arc, arrays, patch, wanted, error))
+    {
+      return false;
+    }
+    const Section* sections = this->Implementation->SectionsOf(arc, this->Graph.Arrays.size());
+    done = true;
+    for (std::size_t i = 0; done && i < wanted.size(); ++i)
+    {
+      done = !wanted[i] || this->DecodeSection(arc, i, bytes + (sections[i].Offset - begin), patch, reason);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    done = false;
+    reason = "there is not enough memory";
+  }
+  if (!done)
+  {
+    patch = vtkMTPatch();
+    error = this->GetName() + ": patch " + std::to_string(arc) + ": " + reason;
+  }
+  return done;
+}
+
+std::uint64_t vtkMTFileSource::GetPatchPlace(std::uint32_t arc) const
+{
+  return arc < this->Graph.Arcs.size() ? this->Implementation->SectionsOf(arc, this->Graph.Arrays.size())->Offset
+                                       : this->vtkMTPatchSource::GetPatchPlace(arc);
 }
 
 bool vtkMTFileSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const
@@ -176,8 +307,10 @@ bool vtkMTFileSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& b
     done = this->Implementation->Read(&section, { 1 }, reason,
       [&](std::size_t, const unsigned char* data)
       {
-        bytes.assign(data, data + section.StoredSize);
-        return true;
+        const bool good = vtkMTPatchCodec::Check(section, data, reason);
+        reason = good ? reason : "section 0 " + reason;
+        bytes.assign(data, data + (good ? section.StoredSize : 0));
+        return good;
       });
   }
   catch (const std::bad_alloc&)

@@ -5,8 +5,9 @@
  *
  * Open reads header and DAG, checks their checksums and every length, offset, index and count in them, and keeps them
  * in memory; patches are read when they are asked for, by one positioned read for each run of neighbouring sections,
- * and the checksum of each section is verified then. Only the sections of the arrays that are asked for are read. The
- * layout is in Documentation/file-format.md.
+ * also across patches that are asked for together, and the checksum of each section is verified then. Only the sections
+ * of the arrays that are asked for are read, and gaps between them of no more than MaximumGap bytes. The layout is in
+ * Documentation/file-format.md.
  *
  * Threads: after Open, all const members may be called from any number of threads at once.
  */
@@ -17,6 +18,7 @@
 #include "vtkMTIOModule.h" // For export macro
 #include "vtkMTPatchSource.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +28,11 @@ class vtkMTByteSource;
 class VTKMTIO_EXPORT vtkMTFileSource : public vtkMTPatchSource
 {
 public:
+  /// Bytes between two wanted sections that are rather read than skipped: a page, which the disk would read anyway.
+  static constexpr std::uint64_t MaximumGap = 4096;
+  /// Bytes of one read for several sections, at most.
+  static constexpr std::uint64_t MaximumRead = std::uint64_t(1) << 22;
+
   vtkMTFileSource();
   ~vtkMTFileSource() override;
 
@@ -42,6 +49,9 @@ public:
   const vtkMTGraph& GetGraph() const override { return this->Graph; }
   bool ReadPatch(
     std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override;
+  void ReadPatches(const std::vector<std::uint32_t>& arcs, const std::vector<unsigned char>* arrays,
+    const PatchUse& use) const override;
+  std::uint64_t GetPatchPlace(std::uint32_t arc) const override;
   bool ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const override;
   std::uint64_t GetPatchSize(std::uint32_t arc) const override;
   std::string GetName() const override;
@@ -54,6 +64,13 @@ public:
 
 private:
   struct Internals;
+  bool PreparePatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch,
+    std::vector<unsigned char>& wanted, std::string& error) const;
+  bool DecodeSection(
+    std::uint32_t arc, std::size_t section, const unsigned char* data, vtkMTPatch& patch, std::string& error) const;
+  bool TakePatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, const unsigned char* bytes,
+    std::uint64_t begin, vtkMTPatch& patch, std::string& error) const;
+
   std::unique_ptr<Internals> Implementation;
   vtkMTGraph Graph;
 };

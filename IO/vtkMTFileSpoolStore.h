@@ -30,6 +30,8 @@ public:
   /// Whether the folder holds a state, or files without one. Neither needs the folder to be open.
   static bool HasState(const std::string& folder);
   static bool HasFiles(const std::string& folder);
+  /// Removes what a build left that had no state yet, and the folder when nothing else is in it.
+  static void RemoveFiles(const std::string& folder);
   /// A nameless spool in the folder of path, of no store. Null on failure, with a message in error.
   static std::unique_ptr<vtkMTSpool> CreateBeside(const std::string& path, std::string& error);
 

@@ -1,17 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshStream.h"
 
+#include "vtkMTFileByteSource.h"
+#include "vtkMTObjStream.h"
 #include "vtkMTPlyStream.h"
 #include "vtkMTStlStream.h"
+#include "vtkMTTextFormat.h"
+#include "vtkMTVtpStream.h"
 
 #include <exception>
 
-std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::Open(const std::string& path)
+std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::Open(const std::string& path, vtkPolyData* names)
+{
+  return Open(path, Settings(), names);
+}
+
+std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::Open(
+  const std::string& path, const Settings& settings, vtkPolyData* names)
 {
   try
   {
-    std::unique_ptr<vtkMTTriangleStream> stream = vtkMTPlyStream::Open(path);
-    return stream ? std::move(stream) : vtkMTStlStream::Open(path);
+    std::unique_ptr<vtkMTTriangleStream> stream = vtkMTPlyStream::Open(path, settings, names);
+    const std::string ending = vtkMTTextFormat::GetLowerCaseEnding(path);
+    if (!stream && ending == "stl")
+    {
+      stream = vtkMTStlStream::Open(path, settings, names);
+    }
+    if (!stream && ending == "obj")
+    {
+      stream = vtkMTObjStream::Open(path, settings, names);
+    }
+    if (!stream && ending == "vtp")
+    {
+      stream = vtkMTVtpStream::Open(path, settings, names);
+    }
+    return stream;
   }
   catch (const std::exception&) // the reader of whole files meets it again and says so
   {

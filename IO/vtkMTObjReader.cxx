@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTObjReader.h"
 
+#include "vtkMTFieldNames.h"
 #include "vtkMTFileByteSource.h"
-#include "vtkMTSinglePrecision.h"
-#include "vtkMTTextFormat.h"
+#include "vtkMTObjParser.h"
 #include "vtkMTWedgeSplitter.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -17,21 +15,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
-#include <limits>
-#include <map>
 
 namespace
 {
-using vtkMTTextFormat::NextToken;
-
-constexpr std::uint64_t None = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t None = vtkMTObjParser::None;
 
 struct Cells
 {
@@ -42,47 +32,14 @@ struct Cells
   std::vector<int> Groups;
 };
 
-// Whether the decimal text says more than single precision keeps: whether rounding moves it by more than half of its
-// last digit.
-bool NeedsDouble(std::string_view token, double value)
-{
-  const double shift = std::abs(vtkMTSinglePrecision::Round(value) - value);
-  if (!(shift > 0.0) || !std::isfinite(shift))
-  {
-    return false;
-  }
-  const std::size_t mantissa = std::min(token.find_first_of("eE"), token.size());
-  const std::size_t dot = token.substr(0, mantissa).find('.');
-  const double decimals = dot == std::string_view::npos ? 0.0 : static_cast<double>(mantissa - dot - 1);
-  std::int64_t exponent = 0;
-  if (mantissa < token.size())
-  {
-    vtkMTTextFormat::ToNumber(token.substr(mantissa + 1), exponent);
-  }
-  return shift > 0.5 * std::pow(10.0, static_cast<double>(exponent) - decimals);
-}
-
-class Reader
+class Reader : public vtkMTObjParser
 {
 public:
-  explicit Reader(const vtkMTByteSource& bytes)
-    : Stream(bytes)
-  {
-  }
+  using vtkMTObjParser::vtkMTObjParser;
 
   bool Read(vtkPolyData* output, std::string& error)
   {
-    std::string_view line;
-    while (this->TakeWholeLine(line))
-    {
-      if (!this->ReadLine(line))
-      {
-        error = "line " + std::to_string(this->LineNumber) + ": " + this->Error;
-        return false;
-      }
-    }
-    error = this->Stream.GetError();
-    if (!error.empty() || !this->CheckIndices(error))
+    if (!this->Parse(error))
     {
       return false;
     }
@@ -91,273 +48,59 @@ public:
   }
 
 private:
-  bool Fail(const std::string& reason)
+  bool AddVertex(const double* place, const float* colors) override
   {
-    this->Error = reason;
-    return false;
+    this->Places.insert(this->Places.end(), place, place + 3);
+    this->Colors.insert(this->Colors.end(), colors, colors ? colors + 3 : colors);
+    return true;
+  }
+  bool AddTexture(const float* coordinates) override
+  {
+    this->TextureCoordinates.insert(this->TextureCoordinates.end(), coordinates, coordinates + 2);
+    return true;
+  }
+  bool AddNormal(const float* normal) override
+  {
+    this->NormalVectors.insert(this->NormalVectors.end(), normal, normal + 3);
+    return true;
+  }
+  bool AddCell(const Cell& cell) override
+  {
+    Cells& cells = cell.IsFace ? this->FaceCells : this->LineCells;
+    for (const Corner& corner : cell.Corners)
+    {
+      cells.Corners.push_back(static_cast<vtkIdType>(corner.Point));
+      cells.Keys.push_back({ corner.Texture, corner.Normal });
+    }
+    cells.Offsets.push_back(static_cast<vtkIdType>(cells.Corners.size()));
+    cells.Materials.push_back(cell.Material);
+    cells.Groups.push_back(cell.Group);
+    return true;
   }
 
-  bool TakeWholeLine(std::string_view& line);
-  bool ReadLine(std::string_view line);
-  bool ReadVertex(std::string_view line);
-  bool ReadNumbers(std::string_view line, std::size_t least, std::size_t count, std::vector<float>& values);
-  bool ReadCell(std::string_view line, std::size_t least, Cells& cells);
-  bool ReadCorner(std::string_view token, Cells& cells);
-  bool ReadIndex(std::string_view& token, std::size_t count, std::uint64_t& index);
-  bool CheckIndices(std::string& error) const;
-  void UseMaterial(std::string_view line);
-  void UseLibraries(std::string_view line);
   void Finish(vtkPolyData* output);
   void FinishPoints(vtkPolyData* output) const;
   void FinishCells(vtkPolyData* output) const;
 
-  vtkMTTextFormat::Stream Stream;
-  std::uint64_t LineNumber = 0;
-  std::string Joined; // lines that end in a backslash, with what follows
-  std::string Error;
-
-  std::vector<double> Points;
-  bool IsDouble = false;
-  std::vector<float> Colors; // three per point while every point has some
+  std::vector<double> Places;
+  std::vector<float> Colors;
   std::vector<float> TextureCoordinates;
-  std::vector<float> Normals;
-  Cells Lines;
-  Cells Faces;
-  std::map<std::string, int> Materials;
-  std::vector<std::string> MaterialNames;
-  std::vector<std::string> Libraries;
-  int Material = -1;
-  int Group = -1;
+  std::vector<float> NormalVectors;
+  Cells LineCells;
+  Cells FaceCells;
 };
-
-bool Reader::TakeWholeLine(std::string_view& line)
-{
-  this->Joined.clear();
-  while (this->Stream.TakeLine(line))
-  {
-    ++this->LineNumber;
-    const bool goesOn = !line.empty() && line.back() == '\\';
-    if (!goesOn && this->Joined.empty())
-    {
-      return true;
-    }
-    this->Joined.append(line.substr(0, line.size() - (goesOn ? 1 : 0)));
-    if (!goesOn || this->Joined.size() > vtkMTTextFormat::Stream::LargestLine)
-    {
-      line = this->Joined;
-      return true;
-    }
-  }
-  line = this->Joined;
-  return !this->Joined.empty() && this->Stream.GetError().empty();
-}
-
-bool Reader::ReadLine(std::string_view line)
-{
-  const std::string_view keyword = NextToken(line);
-  if (keyword == "v")
-  {
-    return this->ReadVertex(line);
-  }
-  if (keyword == "vt")
-  {
-    return this->ReadNumbers(line, 1, 2, this->TextureCoordinates);
-  }
-  if (keyword == "vn")
-  {
-    return this->ReadNumbers(line, 3, 3, this->Normals);
-  }
-  if (keyword == "f" || keyword == "fo")
-  {
-    return this->ReadCell(line, 3, this->Faces);
-  }
-  if (keyword == "l")
-  {
-    return this->ReadCell(line, 2, this->Lines);
-  }
-  if (keyword == "g")
-  {
-    ++this->Group;
-  }
-  else if (keyword == "usemtl")
-  {
-    this->UseMaterial(line);
-  }
-  else if (keyword == "mtllib")
-  {
-    this->UseLibraries(line);
-  }
-  return true;
-}
-
-// x y z, x y z w, x y z r g b
-bool Reader::ReadVertex(std::string_view line)
-{
-  double values[7];
-  std::size_t count = 0;
-  for (std::string_view token = NextToken(line); !token.empty() && token[0] != '#'; token = NextToken(line))
-  {
-    if (count == 7 || !vtkMTTextFormat::ToNumber(token, values[count]))
-    {
-      return this->Fail("\"" + std::string(token.substr(0, 40)) + "\" is no coordinate");
-    }
-    this->IsDouble = this->IsDouble || (count < 3 && NeedsDouble(token, values[count]));
-    ++count;
-  }
-  if (count < 3)
-  {
-    return this->Fail("a vertex with " + std::to_string(count) + " coordinates");
-  }
-  const bool hadColors = this->Colors.size() == this->Points.size();
-  this->Points.insert(this->Points.end(), values, values + 3);
-  if (count >= 6 && hadColors)
-  {
-    for (std::size_t i = count - 3; i < count; ++i)
-    {
-      this->Colors.push_back(static_cast<float>(values[i]));
-    }
-  }
-  return true;
-}
-
-bool Reader::ReadNumbers(std::string_view line, std::size_t least, std::size_t count, std::vector<float>& values)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::string_view token = NextToken(line);
-    float value = 0.0f;
-    if ((!token.empty() || i < least) && !vtkMTTextFormat::ToNumber(token, value))
-    {
-      return this->Fail("\"" + std::string(token.substr(0, 40)) + "\" is no number");
-    }
-    values.push_back(value);
-  }
-  return true;
-}
-
-// The number before the next slash: counted from 1, or backwards from the latest. An empty one is None.
-bool Reader::ReadIndex(std::string_view& token, std::size_t count, std::uint64_t& index)
-{
-  const std::size_t slash = std::min(token.find('/'), token.size());
-  const std::string_view digits = token.substr(0, slash);
-  token.remove_prefix(std::min(slash + 1, token.size()));
-  index = None;
-  if (digits.empty())
-  {
-    return true;
-  }
-  std::int64_t number = 0;
-  if (!vtkMTTextFormat::ToNumber(digits, number) || number == 0 || number < -static_cast<std::int64_t>(count))
-  {
-    return false;
-  }
-  index = number > 0 ? static_cast<std::uint64_t>(number) - 1 : count - static_cast<std::uint64_t>(-number);
-  return true;
-}
-
-bool Reader::ReadCorner(std::string_view token, Cells& cells)
-{
-  const std::string_view whole = token;
-  std::uint64_t point = None;
-  vtkMTWedgeSplitter::Key key;
-  if (!this->ReadIndex(token, this->Points.size() / 3, point) || point == None ||
-    !this->ReadIndex(token, this->TextureCoordinates.size() / 2, key[0]) ||
-    !this->ReadIndex(token, this->Normals.size() / 3, key[1]) || !token.empty())
-  {
-    return this->Fail("\"" + std::string(whole.substr(0, 40)) + "\" is no corner of a face");
-  }
-  cells.Corners.push_back(static_cast<vtkIdType>(point));
-  cells.Keys.push_back(key);
-  return true;
-}
-
-bool Reader::ReadCell(std::string_view line, std::size_t least, Cells& cells)
-{
-  std::size_t count = 0;
-  for (std::string_view token = NextToken(line); !token.empty() && token[0] != '#'; token = NextToken(line), ++count)
-  {
-    if (!this->ReadCorner(token, cells))
-    {
-      return false;
-    }
-  }
-  if (count < least)
-  {
-    return this->Fail(std::string(least == 3 ? "a face" : "a line") + " with " + std::to_string(count) + " corners");
-  }
-  cells.Offsets.push_back(static_cast<vtkIdType>(cells.Corners.size()));
-  cells.Materials.push_back(this->Material);
-  cells.Groups.push_back(std::max(this->Group, 0));
-  return true;
-}
-
-void Reader::UseMaterial(std::string_view line)
-{
-  const std::string name(NextToken(line));
-  const auto inserted = this->Materials.emplace(name, static_cast<int>(this->MaterialNames.size()));
-  if (inserted.second)
-  {
-    this->MaterialNames.push_back(name);
-  }
-  this->Material = inserted.first->second;
-}
-
-// One name with blanks in it, or several: the first is what most programs write and mean.
-void Reader::UseLibraries(std::string_view line)
-{
-  const std::size_t first = line.find_first_not_of(" \t");
-  const std::size_t last = line.find_last_not_of(" \t");
-  if (first != std::string_view::npos)
-  {
-    const std::string name(line.substr(first, last - first + 1));
-    if (std::find(this->Libraries.begin(), this->Libraries.end(), name) == this->Libraries.end())
-    {
-      this->Libraries.push_back(name);
-    }
-  }
-}
-
-// A face may name what only comes later in the file, so this is known at the end.
-bool Reader::CheckIndices(std::string& error) const
-{
-  const std::uint64_t points = this->Points.size() / 3;
-  const std::uint64_t limits[2] = { this->TextureCoordinates.size() / 2, this->Normals.size() / 3 };
-  for (const Cells* cells : { &this->Faces, &this->Lines })
-  {
-    for (std::size_t i = 0; i < cells->Corners.size(); ++i)
-    {
-      const std::uint64_t point = static_cast<std::uint64_t>(cells->Corners[i]);
-      if (point >= points)
-      {
-        error = "a face uses vertex " + std::to_string(point + 1) + ", but there are " + std::to_string(points);
-        return false;
-      }
-      for (int kind = 0; kind < 2; ++kind)
-      {
-        const std::uint64_t index = cells->Keys[i][kind];
-        if (index != None && index >= limits[kind])
-        {
-          error = std::string("a face uses ") + (kind == 0 ? "texture coordinate " : "normal ") +
-            std::to_string(index + 1) + ", but there are " + std::to_string(limits[kind]);
-          return false;
-        }
-      }
-    }
-  }
-  return true;
-}
 
 void Reader::FinishPoints(vtkPolyData* output) const
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(this->IsDouble ? VTK_DOUBLE : VTK_FLOAT);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Points.size() / 3));
-  for (std::size_t i = 0; i + 2 < this->Points.size(); i += 3)
+  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Places.size() / 3));
+  for (std::size_t i = 0; i + 2 < this->Places.size(); i += 3)
   {
-    points->SetPoint(static_cast<vtkIdType>(i / 3), this->Points.data() + i);
+    points->SetPoint(static_cast<vtkIdType>(i / 3), this->Places.data() + i);
   }
   output->SetPoints(points);
-  if (!this->Colors.empty() && this->Colors.size() == this->Points.size())
+  if (this->HasColors)
   {
     vtkNew<vtkFloatArray> colors;
     colors->SetName("RGB");
@@ -416,28 +159,15 @@ void Reader::FinishCells(vtkPolyData* output) const
     std::copy(ofFaces.begin(), ofFaces.end(), std::copy(ofLines.begin(), ofLines.end(), array->GetPointer(0)));
     output->GetCellData()->AddArray(array);
   };
-  const auto addNames = [&](const char* name, const std::vector<std::string>& values)
-  {
-    vtkNew<vtkStringArray> names;
-    names->SetName(name);
-    for (const std::string& value : values)
-    {
-      names->InsertNextValue(value);
-    }
-    output->GetFieldData()->AddArray(names);
-  };
-  if (!this->Libraries.empty())
-  {
-    addNames("MaterialLibraries", this->Libraries);
-  }
+  vtkMTFieldNames::Add(output, "MaterialLibraries", this->Libraries);
   if (!this->MaterialNames.empty())
   {
-    add("MaterialIds", this->Lines.Materials, this->Faces.Materials);
-    addNames("MaterialNames", this->MaterialNames);
+    add("MaterialIds", this->LineCells.Materials, this->FaceCells.Materials);
+    vtkMTFieldNames::Add(output, "MaterialNames", this->MaterialNames);
   }
   if (this->Group > 0)
   {
-    add("GroupIds", this->Lines.Groups, this->Faces.Groups);
+    add("GroupIds", this->LineCells.Groups, this->FaceCells.Groups);
   }
 }
 
@@ -445,15 +175,15 @@ void Reader::Finish(vtkPolyData* output)
 {
   this->FinishPoints(output);
   const vtkMTWedgeSplitter::Result wedges =
-    vtkMTWedgeSplitter::Split(this->Points.size() / 3, this->Faces.Corners, this->Faces.Keys);
+    vtkMTWedgeSplitter::Split(this->Places.size() / 3, this->FaceCells.Corners, this->FaceCells.Keys);
   vtkMTWedgeSplitter::AppendCopies(output, wedges.Originals);
-  output->GetPointData()->SetTCoords(Pick(wedges, this->Faces.Keys, 0, this->TextureCoordinates, 2, "TCoords"));
-  output->GetPointData()->SetNormals(Pick(wedges, this->Faces.Keys, 1, this->Normals, 3, "Normals"));
-  if (!this->Lines.Corners.empty())
+  output->GetPointData()->SetTCoords(Pick(wedges, this->FaceCells.Keys, 0, this->TextureCoordinates, 2, "TCoords"));
+  output->GetPointData()->SetNormals(Pick(wedges, this->FaceCells.Keys, 1, this->NormalVectors, 3, "Normals"));
+  if (!this->LineCells.Corners.empty())
   {
-    output->SetLines(ToCellArray(this->Lines));
+    output->SetLines(ToCellArray(this->LineCells));
   }
-  output->SetPolys(ToCellArray(this->Faces));
+  output->SetPolys(ToCellArray(this->FaceCells));
   this->FinishCells(output);
 }
 }

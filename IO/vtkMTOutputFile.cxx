@@ -5,9 +5,12 @@
 
 #include <cerrno>
 #include <climits>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -132,5 +135,35 @@ void vtkMTOutputFile::Abandon()
   {
     ::unlink(this->Temporary.c_str());
     this->Temporary.clear();
+  }
+}
+
+void vtkMTOutputFile::RemoveStrays(const std::string& path, bool ownToo)
+{
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const fs::path resolved = fs::weakly_canonical(path, code);
+  const fs::path target = code ? fs::path(path) : resolved;
+  const std::string begin = target.filename().string() + "."; // and the process, as vtkMTPosix::CreateUnique names it
+  std::vector<fs::path> strays;
+  for (const auto& entry : fs::directory_iterator(target.parent_path(), code))
+  {
+    const std::string name = entry.path().filename().string();
+    long process = 0;
+    int number = 0;
+    int length = 0;
+    const bool isTemporary = name.compare(0, begin.size(), begin) == 0 &&
+      std::sscanf(name.c_str() + begin.size(), "%ld-%d.tmp%n", &process, &number, &length) == 2 &&
+      begin.size() + static_cast<std::size_t>(length) == name.size() && process > 0;
+    const bool isOwn = isTemporary && process == ::getpid();
+    const bool isDead = isTemporary && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+    if (isDead || (isOwn && ownToo))
+    {
+      strays.push_back(entry.path());
+    }
+  }
+  for (const fs::path& stray : strays)
+  {
+    fs::remove(stray, code);
   }
 }

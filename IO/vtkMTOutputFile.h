@@ -29,6 +29,10 @@ public:
   bool Commit();
   void Abandon();
 
+  /// Removes what writers of this output left when their process was killed; with ownToo, also what this process is
+  /// writing, before it ends.
+  static void RemoveStrays(const std::string& path, bool ownToo = false);
+
   bool IsOpen() const { return this->Descriptor >= 0; }
   std::uint64_t GetBytesWritten() const { return this->Written; }
   const std::string& GetPath() const { return this->Path; }

@@ -3,6 +3,7 @@
 
 #include "vtkMTByteCodec.h"
 #include "vtkMTGraph.h"
+#include "vtkMTIdCodec.h"
 #include "vtkMTNumberCode.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTPositionCodec.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
 
 namespace
 {
@@ -18,38 +18,6 @@ using vtkMTFileFormat::PackedGeometryRecord;
 
 using SideReader = vtkMTNumberCode::Reader;
 using vtkMTNumberCode::Append;
-
-//------------------------------------------------------------------------------
-// Which points can be shared
-void AppendShared(const vtkMTPatchOrder& order, std::vector<unsigned char>& side)
-{
-  const std::size_t begin = side.size();
-  side.resize(begin + (order.PointOfStream.size() + 7) / 8, 0);
-  for (std::size_t i = 0; i < order.PointOfStream.size(); ++i)
-  {
-    if (order.PointOfStream[i] < order.Patch.Ids.size())
-    {
-      side[begin + i / 8] |= static_cast<unsigned char>(1u << (i % 8));
-    }
-  }
-}
-
-bool ReadShared(SideReader& side, const PackedGeometryRecord& record, std::vector<unsigned char>& isShared)
-{
-  const unsigned char* bits = side.GetBytes((std::uint64_t(record.Points) + 7) / 8);
-  if (!bits)
-  {
-    return false;
-  }
-  isShared.resize(record.Points);
-  std::uint32_t shared = 0;
-  for (std::size_t i = 0; i < isShared.size(); ++i)
-  {
-    isShared[i] = bits[i / 8] >> (i % 8) & 1;
-    shared += isShared[i];
-  }
-  return shared == record.SharedPoints;
-}
 
 //------------------------------------------------------------------------------
 // The wedges' points: 0 is the next point that was not met yet, k the k-th last one met.
@@ -80,68 +48,6 @@ bool ReadWedges(SideReader& side, const PackedGeometryRecord& record, std::vecto
 }
 
 //------------------------------------------------------------------------------
-// Identities: the high halves are few (a level and a region), so each one is said once; the low half is said as the
-// difference to the one before with the same high half.
-void AppendIds(const vtkMTPatchOrder& order, std::vector<unsigned char>& side)
-{
-  std::map<std::uint32_t, std::uint32_t> number;
-  std::vector<std::uint32_t> highs;
-  for (std::uint64_t id : order.Patch.Ids)
-  {
-    const auto high = static_cast<std::uint32_t>(id >> 32);
-    if (number.emplace(high, static_cast<std::uint32_t>(highs.size())).second)
-    {
-      highs.push_back(high);
-    }
-  }
-  Append(side, highs.size());
-  for (std::uint32_t high : highs)
-  {
-    Append(side, high);
-  }
-  std::vector<std::uint32_t> before(highs.size(), 0);
-  for (std::uint64_t id : order.Patch.Ids)
-  {
-    const std::uint32_t high = number[static_cast<std::uint32_t>(id >> 32)];
-    const auto low = static_cast<std::uint32_t>(id);
-    Append(side, high);
-    Append(side, vtkMTNumberCode::ToZigzag(low - before[high]));
-    before[high] = low;
-  }
-}
-
-bool ReadIds(SideReader& side, const PackedGeometryRecord& record, std::vector<std::uint64_t>& ids)
-{
-  std::uint64_t count = 0;
-  if (!side.Get(count) || count > record.SharedPoints)
-  {
-    return false;
-  }
-  std::vector<std::uint64_t> highs(static_cast<std::size_t>(count));
-  for (std::uint64_t& high : highs)
-  {
-    if (!side.Get(high) || high > 0xffffffffu)
-    {
-      return false;
-    }
-  }
-  std::vector<std::uint32_t> before(highs.size(), 0);
-  ids.reserve(record.SharedPoints);
-  for (std::uint32_t i = 0; i < record.SharedPoints; ++i)
-  {
-    std::uint64_t high = 0;
-    std::uint64_t code = 0;
-    if (!side.Get(high) || !side.Get(code) || high >= count || code > 0xffffffffu)
-    {
-      return false;
-    }
-    before[high] += vtkMTNumberCode::FromZigzag(static_cast<std::uint32_t>(code));
-    ids.push_back(highs[high] << 32 | before[high]);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 // The bases of wedges as those of points: a point is met with its first wedge.
 vtkMTPositionCodec::Bases ToPoints(
   const vtkMTPositionCodec::Bases& ofWedges, const std::vector<std::uint32_t>& wedgePoints)
@@ -158,14 +64,33 @@ vtkMTPositionCodec::Bases ToPoints(
   return result;
 }
 
-// What the decoder will know of every point.
-vtkMTPositionCodec::Bases GetBases(const vtkMTPatchOrder& order)
+// What the decoder will know once it has the triangles.
+struct Known
 {
-  vtkMTPositionCodec::Bases bases;
-  std::vector<vtkMTTriangle> triangles(order.Patch.Triangles.size());
-  vtkMTTriangleCodec::Decode(order.Steps.data(), order.Steps.size(), order.Names.data(), order.Names.size(),
-    order.Patch.GetNumberOfWedges(), triangles, bases);
-  return order.WedgePoints.empty() ? bases : ToPoints(bases, order.WedgePoints);
+  vtkMTPositionCodec::Bases Bases; // of points
+  std::vector<std::uint32_t> BorderOrder;
+
+  explicit Known(const vtkMTPatchOrder& order)
+  {
+    std::vector<vtkMTTriangle> triangles(order.Patch.Triangles.size());
+    std::vector<std::uint32_t> border;
+    vtkMTTriangleCodec::Decode(order.Steps.data(), order.Steps.size(), order.Names.data(), order.Names.size(),
+      order.Patch.GetNumberOfWedges(), triangles, this->Bases, border);
+    this->Bases = order.WedgePoints.empty() ? this->Bases : ToPoints(this->Bases, order.WedgePoints);
+    this->BorderOrder = vtkMTIdCodec::GetBorderOrder(border, order.WedgePoints, order.PointOfStream.size());
+  }
+};
+
+vtkMTIdCodec::Identities GetIdentities(const vtkMTPatchOrder& order)
+{
+  vtkMTIdCodec::Identities identities;
+  const std::vector<std::uint64_t>& ids = order.Patch.Ids;
+  for (const std::uint32_t place : order.PointOfStream)
+  {
+    identities.IsShared.push_back(place < ids.size() ? 1 : 0);
+    identities.Ids.push_back(place < ids.size() ? ids[place] : 0);
+  }
+  return identities;
 }
 
 vtkMTPoint GetCorner(const std::vector<vtkMTPoint>& points)
@@ -187,7 +112,7 @@ bool IsRecordRight(const PackedGeometryRecord& record, const vtkMTArc& arc, std:
     error = "does not have the numbers of points, wedges and triangles that its arc announces";
     return false;
   }
-  // Five triangles take a byte of the side stream at least, 16 points three.
+  // Eight triangles take a byte of the side stream at least, 32 points three.
   const bool isPossible = record.Shift <= vtkMTPositionCodec::MaximumShift && record.HasTable <= 1 &&
     record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
     record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(record) &&
@@ -203,39 +128,61 @@ struct Side
   std::vector<vtkMTTriangle> Triangles;
   vtkMTPositionCodec::Bases Bases; // of wedges
   std::vector<std::uint32_t> WedgePoints;
-  std::vector<unsigned char> IsShared;
-  std::vector<std::uint64_t> Ids;
+  vtkMTIdCodec::Identities Identities;
   vtkMTPositionCodec::Source Positions{};
 
-  bool Read(SideReader& side, const PackedGeometryRecord& record)
+  // bits: what follows the side stream.
+  bool Read(SideReader& side, const PackedGeometryRecord& record, const unsigned char* bits, std::uint64_t bitsSize)
   {
     std::uint64_t stepsSize = 0;
     std::uint64_t namesSize = 0;
     const unsigned char* steps = side.Get(stepsSize) ? side.GetBytes(stepsSize) : nullptr;
     const unsigned char* names = steps && side.Get(namesSize) ? side.GetBytes(namesSize) : nullptr;
-    if (!names || !ReadShared(side, record, this->IsShared) ||
-      (record.HasTable != 0 && !ReadWedges(side, record, this->WedgePoints)) || !ReadIds(side, record, this->Ids))
+    std::vector<std::uint32_t> border;
+    this->Triangles.resize(record.Triangles);
+    if (!names ||
+      !vtkMTTriangleCodec::Decode(steps, static_cast<std::size_t>(stepsSize), names,
+        static_cast<std::size_t>(namesSize), record.Wedges, this->Triangles, this->Bases, border) ||
+      (record.HasTable != 0 && !ReadWedges(side, record, this->WedgePoints)))
+    {
+      return false;
+    }
+    const std::vector<std::uint32_t> order = vtkMTIdCodec::GetBorderOrder(border, this->WedgePoints, record.Points);
+    if (!vtkMTIdCodec::Read(side, order, record.SharedPoints, this->Identities))
     {
       return false;
     }
     this->Positions.Shift = record.Shift;
     this->Positions.Coarse = side.GetBytes(record.Shift > 0 ? (std::uint64_t(record.Points) + 7) / 8 : 0);
-    this->Positions.Widths = side.GetBytes(vtkMTPositionCodec::GetNumberOfBlocks(record.Points));
-    this->Triangles.resize(record.Triangles);
-    return this->Positions.Coarse && this->Positions.Widths && side.IsAtEnd() &&
-      vtkMTTriangleCodec::Decode(steps, static_cast<std::size_t>(stepsSize), names, static_cast<std::size_t>(namesSize),
-        record.Wedges, this->Triangles, this->Bases);
+    this->Positions.Parameters = side.GetBytes(vtkMTPositionCodec::GetNumberOfBlocks(record.Points));
+    std::uint64_t xSize = 0;
+    std::uint64_t ySize = 0;
+    if (!this->Positions.Coarse || !this->Positions.Parameters || !side.Get(xSize) || !side.Get(ySize) ||
+      !side.IsAtEnd() || xSize > bitsSize || ySize > bitsSize - xSize)
+    {
+      return false;
+    }
+    this->Positions.BitsSize = { static_cast<std::size_t>(xSize), static_cast<std::size_t>(ySize),
+      static_cast<std::size_t>(bitsSize - xSize - ySize) };
+    this->Positions.Bits = { bits, bits + xSize, bits + xSize + ySize };
+    return true;
   }
 };
 
-void Place(Side& side, const std::vector<vtkMTPoint>& streamPoints, vtkMTPatch& patch)
+void Place(Side& side, const std::vector<vtkMTPoint>& streamPoints, std::size_t shared, vtkMTPatch& patch)
 {
-  const std::vector<std::uint32_t> pointOfStream = vtkMTPatchOrder::PlacePoints(side.IsShared);
+  const std::vector<unsigned char>& isShared = side.Identities.IsShared;
+  const std::vector<std::uint32_t> pointOfStream = vtkMTPatchOrder::PlacePoints(isShared);
   const std::vector<std::uint32_t> wedgeOfStream = vtkMTPatchOrder::PlaceWedges(side.WedgePoints, pointOfStream);
   patch.Points.resize(streamPoints.size());
+  patch.Ids.resize(shared);
   for (std::size_t i = 0; i < streamPoints.size(); ++i)
   {
     patch.Points[pointOfStream[i]] = streamPoints[i];
+    if (isShared[i])
+    {
+      patch.Ids[pointOfStream[i]] = side.Identities.Ids[i];
+    }
   }
   patch.WedgePoints.resize(side.WedgePoints.size());
   for (std::size_t w = 0; w < side.WedgePoints.size(); ++w)
@@ -247,7 +194,6 @@ void Place(Side& side, const std::vector<vtkMTPoint>& streamPoints, vtkMTPatch& 
     t = { wedgeOfStream[t[0]], wedgeOfStream[t[1]], wedgeOfStream[t[2]] };
   }
   patch.Triangles = std::move(side.Triangles);
-  patch.Ids = std::move(side.Ids);
 }
 }
 
@@ -261,18 +207,20 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
     streamPoints[i] = order.Patch.Points[order.PointOfStream[i]];
   }
   const vtkMTPoint corner = GetCorner(streamPoints);
-  const vtkMTPositionCodec::Packed packed = vtkMTPositionCodec::Encode(streamPoints, GetBases(order), corner);
+  const Known known(order);
+  const vtkMTPositionCodec::Packed packed = vtkMTPositionCodec::Encode(streamPoints, known.Bases, corner);
 
   std::vector<unsigned char> side;
   Append(side, order.Steps.size());
   side.insert(side.end(), order.Steps.begin(), order.Steps.end());
   Append(side, order.Names.size());
   side.insert(side.end(), order.Names.begin(), order.Names.end());
-  AppendShared(order, side);
   AppendWedges(order.WedgePoints, side);
-  AppendIds(order, side);
+  vtkMTIdCodec::Append(GetIdentities(order), known.BorderOrder, side);
   side.insert(side.end(), packed.Coarse.begin(), packed.Coarse.end());
-  side.insert(side.end(), packed.Widths.begin(), packed.Widths.end());
+  side.insert(side.end(), packed.Parameters.begin(), packed.Parameters.end());
+  Append(side, packed.Bits[0].size());
+  Append(side, packed.Bits[1].size());
 
   const std::size_t begin = bytes.size();
   PackedGeometryRecord record{};
@@ -292,7 +240,10 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
   record.SideSize = static_cast<std::uint32_t>(side.size());
   record.StoredSideSize = static_cast<std::uint32_t>(stored);
   std::memcpy(bytes.data() + begin, &record, sizeof(record));
-  bytes.insert(bytes.end(), packed.Bits.begin(), packed.Bits.end());
+  for (const std::vector<unsigned char>& bits : packed.Bits)
+  {
+    bytes.insert(bytes.end(), bits.begin(), bits.end());
+  }
   return vtkMTByteCodec::IsPlausible(stored, side.size());
 }
 
@@ -310,18 +261,16 @@ bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64
   {
     return false;
   }
+  const std::uint64_t before = sizeof(record) + record.StoredSideSize;
   std::vector<unsigned char> bytes(record.SideSize);
   Side side;
   SideReader reader(bytes.data(), bytes.size());
   if (!vtkMTByteCodec::Decompress(codec, data + sizeof(record), record.StoredSideSize, bytes.data(), bytes.size()) ||
-    !side.Read(reader, record))
+    !side.Read(reader, record, data + before, size - before))
   {
     error = "cannot be decompressed";
     return false;
   }
-  const std::uint64_t before = sizeof(record) + record.StoredSideSize;
-  side.Positions.Bits = data + before;
-  side.Positions.BitsSize = static_cast<std::size_t>(size - before);
   std::vector<vtkMTPoint> points(record.Points);
   const vtkMTPoint corner{ record.Corner[0], record.Corner[1], record.Corner[2] };
   if (!side.WedgePoints.empty())
@@ -333,7 +282,7 @@ bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64
     error = "has positions of an impossible length";
     return false;
   }
-  Place(side, points, patch);
+  Place(side, points, record.SharedPoints, patch);
   return true;
 }
 }

@@ -95,7 +95,9 @@ bool AreColumnsRight(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>&
     const std::vector<vtkMTColumn>& columns = ofPoints ? patch.PointColumns : patch.CellColumns;
     const std::size_t column = next[ofPoints ? 0 : 1]++;
     const std::size_t tuples = ofPoints ? patch.GetNumberOfWedges() : patch.Triangles.size();
-    if (column >= columns.size() || columns[column].size() != tuples * array.GetTupleSize())
+    const bool mayBeEmpty = array.Role == vtkMTArrayInfo::ExactPoints;
+    if (column >= columns.size() ||
+      (columns[column].size() != tuples * array.GetTupleSize() && !(mayBeEmpty && columns[column].empty())))
     {
       error = "has no array \"" + array.Name + "\" of the right size";
       return false;
@@ -165,6 +167,11 @@ bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const
   const vtkMTArrayInfo& array, vtkMTColumn& column, std::string& error)
 {
   const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles;
+  if (array.Role == vtkMTArrayInfo::ExactPoints && section.StoredSize == 0)
+  {
+    column.clear();
+    return true;
+  }
   if (section.Codec == vtkMTFileFormat::Raw)
   {
     if (section.StoredSize != tuples * array.GetTupleSize())

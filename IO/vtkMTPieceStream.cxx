@@ -1,22 +1,131 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPieceStream.h"
 
-#include <algorithm>
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace
+{
+std::vector<vtkMTArrayInfo> Select(
+  const std::vector<vtkMTArrayInfo>& arrays, vtkMTArrayInfo::AssociationType association)
+{
+  std::vector<vtkMTArrayInfo> selected;
+  std::copy_if(arrays.begin(), arrays.end(), std::back_inserter(selected),
+    [association](const vtkMTArrayInfo& info) { return info.Association == association; });
+  return selected;
+}
+}
+
+vtkMTPieceStream::vtkMTPieceStream(vtkMTSpoolStore* store, std::size_t memory)
+  : Store(store)
+  , Memory(memory)
+{
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTPieceStream::AddCell(const std::uint64_t* corners, std::size_t count)
+{
+  ++this->Cells;
+  if (count < 3)
+  {
+    ++this->Report["degenerate_cells"];
+    return true;
+  }
+  this->Triangles += count - 2;
+  if (count == 3)
+  {
+    return true;
+  }
+  if (!this->Places)
+  {
+    if (!this->Store)
+    {
+      return this->Fail("polygons are only read where there is room for temporary data");
+    }
+    this->Places = std::make_unique<vtkMTSpoolLookup>(*this->Store, 3 * sizeof(double), this->Memory);
+  }
+  return std::all_of(
+    corners, corners + count, [this](std::uint64_t corner) { return this->Places->Request(corner, this->Error); });
+}
+
+bool vtkMTPieceStream::FinishCells()
+{
+  if (!this->Places)
+  {
+    return true;
+  }
+  if (!this->RewindFile())
+  {
+    return false;
+  }
+  for (std::uint64_t read = 0; read < this->Points; read += PieceSize)
+  {
+    const std::uint64_t count = std::min(PieceSize, this->Points - read);
+    this->Piece->Initialize();
+    if (!this->ReadPoints(count, this->Piece))
+    {
+      return false;
+    }
+    for (std::uint64_t i = 0; i < count; ++i)
+    {
+      double place[3];
+      this->Piece->GetPoint(static_cast<vtkIdType>(i), place);
+      if (!this->Places->PassBy(place, this->Error))
+      {
+        return false;
+      }
+    }
+  }
+  return this->Places->Finish(this->Error);
+}
+
+std::vector<vtkMTArrayInfo> vtkMTPieceStream::GetArraysOf(vtkPolyData* points, vtkPolyData* cells)
+{
+  std::vector<vtkMTArrayInfo> arrays = Select(vtkMTPolyDataStream(points).GetArrays(), vtkMTArrayInfo::Point);
+  vtkNew<vtkPolyData> one; // arrays without a cell would be left out
+  one->GetCellData()->ShallowCopy(cells->GetCellData());
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 0, 0 });
+  one->SetPolys(polys);
+  const std::vector<vtkMTArrayInfo> ofCells = Select(vtkMTPolyDataStream(one).GetArrays(), vtkMTArrayInfo::Cell);
+  arrays.insert(arrays.end(), ofCells.begin(), ofCells.end());
+  return arrays;
+}
+
+//------------------------------------------------------------------------------
 bool vtkMTPieceStream::Rewind()
 {
   this->Error.clear();
   this->Stream.reset();
   this->PointsRead = 0;
-  this->TrianglesRead = 0;
+  this->CellsRead = 0;
+  if (this->Places)
+  {
+    this->Places->Rewind();
+  }
   return this->RewindFile();
 }
 
 // A file that says other things later than at its beginning must not be believed.
-bool vtkMTPieceStream::BeginPiece()
+bool vtkMTPieceStream::HasArraysOf(vtkMTArrayInfo::AssociationType association) const
 {
+  return Select(this->Stream->GetArrays(), association) == Select(this->Arrays, association);
+}
+
+bool vtkMTPieceStream::BeginPoints()
+{
+  this->Piece->GetCellData()->Initialize();
+  this->Piece->SetPolys(nullptr);
   this->Stream = std::make_unique<vtkMTPolyDataStream>(this->Piece);
-  return this->Stream->GetArrays() == this->Arrays || this->Fail("its arrays change within the file");
+  return this->HasArraysOf(vtkMTArrayInfo::Point) || this->Fail("its arrays change within the file");
 }
 
 bool vtkMTPieceStream::NextPoints(PointBlock& block)
@@ -42,12 +151,60 @@ bool vtkMTPieceStream::NextPoints(PointBlock& block)
     }
     const std::uint64_t count = std::min(PieceSize, this->Points - this->PointsRead);
     this->Piece->Initialize();
-    if (!this->ReadPoints(count, this->Piece) || !this->BeginPiece())
+    if (!this->ReadPoints(count, this->Piece) || !this->BeginPoints())
     {
       return false;
     }
     this->PointsRead += count;
   }
+}
+
+// Every corner is a point by itself; polygons have theirs where they belong.
+bool vtkMTPieceStream::AddPlaces()
+{
+  vtkNew<vtkDoubleArray> places;
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(static_cast<vtkIdType>(this->Corners.Points.size()));
+  double* to = places->GetPointer(0);
+  std::size_t begin = 0;
+  for (const std::size_t end : this->Corners.Ends)
+  {
+    for (std::size_t i = begin; i < end && end - begin > 3; ++i)
+    {
+      const unsigned char* place = this->Places ? this->Places->Next(this->Error) : nullptr;
+      if (!place)
+      {
+        return this->Fail(this->Error.empty() ? "the file has changed" : this->Error);
+      }
+      std::memcpy(to + 3 * i, place, 3 * sizeof(double));
+    }
+    begin = end;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(places);
+  this->Piece->SetPoints(points);
+  return true;
+}
+
+bool vtkMTPieceStream::BeginCells()
+{
+  this->Piece->GetPointData()->Initialize();
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> corners;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(this->Corners.Ends.size() + 1));
+  offsets->SetValue(0, 0);
+  std::copy(this->Corners.Ends.begin(), this->Corners.Ends.end(), offsets->GetPointer(1));
+  corners->SetNumberOfValues(static_cast<vtkIdType>(this->Corners.Points.size()));
+  std::iota(corners->GetPointer(0), corners->GetPointer(0) + corners->GetNumberOfValues(), vtkIdType(0));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  this->Piece->SetPolys(cells);
+  if (!this->AddPlaces())
+  {
+    return false;
+  }
+  this->Stream = std::make_unique<vtkMTPolyDataStream>(this->Piece);
+  return this->HasArraysOf(vtkMTArrayInfo::Cell) || this->Fail("its arrays change within the file");
 }
 
 bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
@@ -60,7 +217,7 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
       return false;
     }
   }
-  if (this->TrianglesRead == 0)
+  if (this->CellsRead == 0)
   {
     this->Stream.reset(); // of the last points
   }
@@ -75,8 +232,11 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
       }
       for (std::size_t t = 0; t < block.Triangles.size(); ++t)
       {
-        block.Triangles[t] = this->PieceCorners[static_cast<std::size_t>(block.CellIds[t])];
-        block.CellIds[t] += static_cast<std::int64_t>(this->FirstOfPiece);
+        for (std::uint64_t& corner : block.Triangles[t])
+        {
+          corner = this->Corners.Points[static_cast<std::size_t>(corner)];
+        }
+        block.CellIds[t] += static_cast<std::int64_t>(this->FirstCell + this->FirstOfPiece);
       }
       if (!block.Triangles.empty())
       {
@@ -84,18 +244,18 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
       }
       this->Stream.reset();
     }
-    if (this->TrianglesRead == this->Triangles)
+    if (this->CellsRead == this->Cells)
     {
       return true;
     }
-    const std::uint64_t count = std::min(PieceSize, this->Triangles - this->TrianglesRead);
+    const std::uint64_t count = std::min(PieceSize, this->Cells - this->CellsRead);
     this->Piece->Initialize();
-    this->PieceCorners.clear();
-    if (!this->ReadTriangles(count, this->Piece, this->PieceCorners) || !this->BeginPiece())
+    this->Corners = CellCorners();
+    if (!this->ReadCells(count, this->Piece, this->Corners) || !this->BeginCells())
     {
       return false;
     }
-    this->FirstOfPiece = this->TrianglesRead;
-    this->TrianglesRead += count;
+    this->FirstOfPiece = this->CellsRead;
+    this->CellsRead += count;
   }
 }

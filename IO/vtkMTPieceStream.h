@@ -4,6 +4,7 @@
 #define vtkMTPieceStream_h
 
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTSpoolLookup.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -11,8 +12,10 @@
 #include <memory>
 
 /**
- * The pieces go through the format's reader and vtkMTPolyDataStream as the whole file would: so arrays, types and
- * values are the same whether a file is streamed or read whole. Derived classes say what the pieces are.
+ * The pieces go through the format's reader and vtkMTPolyDataStream as the whole file would: so arrays, types, values
+ * and triangles are the same whether a file is streamed or read whole. Derived classes say what the pieces are. When a
+ * file is opened, they look at every cell (AddCell): how a polygon becomes triangles depends on the places of its
+ * corners, which are looked up for all polygons at once (vtkMTSpoolLookup).
  */
 class vtkMTPieceStream : public vtkMTTriangleStream
 {
@@ -26,16 +29,32 @@ public:
   bool NextTriangles(TriangleBlock& block) override;
 
 protected:
-  using Corners = std::array<std::uint64_t, 3>;
   static constexpr std::uint64_t PieceSize = 65535; // a multiple of three
 
+  /// The corners of cells, one cell behind the other: points of the whole file.
+  struct CellCorners
+  {
+    std::vector<std::uint64_t> Points;
+    std::vector<std::size_t> Ends; // of each cell in Points
+  };
+
+  /// store: for what is looked up; without one there can be no polygons. memory: bytes, for that.
+  explicit vtkMTPieceStream(vtkMTSpoolStore* store = nullptr, std::size_t memory = 0);
+
   ///@{
-  /// The next `count` points, or triangles, as a mesh by itself. Triangles come with their corners in the whole file;
-  /// in the mesh they may have any.
+  /// The next `count` points as a mesh, or cells with the mesh's cell arrays; the mesh's own cells do not matter.
   virtual bool RewindFile() = 0;
   virtual bool ReadPoints(std::uint64_t count, vtkPolyData* piece) = 0;
-  virtual bool ReadTriangles(std::uint64_t count, vtkPolyData* piece, std::vector<Corners>& corners) = 0;
+  virtual bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) = 0;
   ///@}
+
+  ///@{
+  /// While the file is opened: every cell once, in order; then FinishCells, which needs RewindFile and ReadPoints.
+  bool AddCell(const std::uint64_t* corners, std::size_t count);
+  bool FinishCells();
+  ///@}
+  /// The arrays of points and of cells that pieces have; cells: the arrays of one cell.
+  static std::vector<vtkMTArrayInfo> GetArraysOf(vtkPolyData* points, vtkPolyData* cells);
 
   bool Fail(const std::string& error)
   {
@@ -43,19 +62,27 @@ protected:
     return false;
   }
 
+  vtkMTSpoolStore* const Store;
+  const std::size_t Memory;
   std::vector<vtkMTArrayInfo> Arrays;
+  std::map<std::string, std::int64_t> Report;
   std::uint64_t Points = 0;
-  std::uint64_t Triangles = 0;
+  std::uint64_t FirstCell = 0; // cells that are numbered before these
 
 private:
-  bool BeginPiece();
+  bool BeginPoints();
+  bool BeginCells();
+  bool AddPlaces();
+  bool HasArraysOf(vtkMTArrayInfo::AssociationType association) const;
 
-  std::map<std::string, std::int64_t> Report;
+  std::uint64_t Cells = 0;
+  std::uint64_t Triangles = 0;
+  std::unique_ptr<vtkMTSpoolLookup> Places; // of the corners of all polygons; null: there are none
   vtkNew<vtkPolyData> Piece;
   std::unique_ptr<vtkMTPolyDataStream> Stream; // of the piece
-  std::vector<Corners> PieceCorners;
-  std::uint64_t PointsRead = 0;    // all pieces together
-  std::uint64_t TrianglesRead = 0; // all pieces together
+  CellCorners Corners;
+  std::uint64_t PointsRead = 0; // all pieces together
+  std::uint64_t CellsRead = 0;  // all pieces together
   std::uint64_t FirstOfPiece = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPlyReader.h"
 
+#include "vtkMTFieldNames.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTPlyColumns.h"
 #include "vtkMTPlyRows.h"
@@ -9,14 +10,12 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 
 #include <cmath>
 #include <cstring>
@@ -415,16 +414,7 @@ void Reader::Finish()
     this->SplitWedges();
   }
   this->Output->SetPolys(ToCells(this->FaceOffsets, this->FaceCorners));
-  if (!this->Header.TextureFiles.empty())
-  {
-    vtkNew<vtkStringArray> names;
-    names->SetName("TextureFiles");
-    for (const std::string& name : this->Header.TextureFiles)
-    {
-      names->InsertNextValue(name);
-    }
-    this->Output->GetFieldData()->AddArray(names);
-  }
+  vtkMTFieldNames::Add(this->Output, "TextureFiles", this->Header.TextureFiles);
   const vtkIdType faces = this->Output->GetNumberOfPolys();
   if (this->StripOffsets.size() > 1)
   {

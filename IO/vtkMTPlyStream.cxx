@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPlyStream.h"
 
+#include "vtkMTFieldNames.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTMemoryByteSource.h"
 #include "vtkMTPieceStream.h"
@@ -89,22 +90,24 @@ private:
 class Stream : public vtkMTPieceStream
 {
 public:
-  explicit Stream(std::unique_ptr<vtkMTFileByteSource> bytes)
-    : File(std::move(bytes))
+  Stream(std::unique_ptr<vtkMTFileByteSource> bytes, vtkMTSpoolStore* store, std::size_t memory)
+    : vtkMTPieceStream(store, memory)
+    , File(std::move(bytes))
   {
   }
+  const std::vector<std::string>& GetTextureFiles() const { return this->Header.TextureFiles; }
 
   // Whether this file can be streamed: looks at its header and at every face.
   bool Open()
   {
-    if (!this->ReadHeader() || !this->HasOnlyTriangles())
+    if (!this->ReadHeader() || !this->LookAtFaces() || !this->FinishCells())
     {
       return false;
     }
     // All arrays follow from the header: any piece has them.
     vtkNew<vtkPolyData> piece;
     const bool isRead = this->Rewind() && this->ReadPoints(1, piece);
-    this->Arrays = vtkMTPolyDataStream(piece).GetArrays();
+    this->Arrays = GetArraysOf(piece, piece);
     return isRead;
   }
 
@@ -113,18 +116,18 @@ private:
   {
     std::string error;
     vtkMTTextFormat::Stream stream(*this->File);
-    if (!this->Header.Parse(stream, error) || !this->Header.TextureFiles.empty() || this->Header.Elements.size() != 2 ||
+    if (!this->Header.Parse(stream, error) || this->Header.Elements.size() != 2 ||
       this->Header.Elements[0].Name != "vertex" || this->Header.Elements[1].Name != "face")
     {
       return false;
     }
     this->Points = this->Header.Elements[0].Count;
-    this->Triangles = this->Header.Elements[1].Count;
+    this->Faces = this->Header.Elements[1].Count;
     const auto& ofVertex = this->Header.Elements[0].Properties;
     const auto& ofFace = this->Header.Elements[1].Properties;
     const auto isList = [](const vtkMTPlyProperty& property) { return property.IsList(); };
     this->List = static_cast<std::size_t>(std::find_if(ofFace.begin(), ofFace.end(), isList) - ofFace.begin());
-    if (this->Points < 1 || this->Triangles < 1 || std::any_of(ofVertex.begin(), ofVertex.end(), isList) ||
+    if (this->Points < 1 || this->Faces < 1 || std::any_of(ofVertex.begin(), ofVertex.end(), isList) ||
       std::count_if(ofFace.begin(), ofFace.end(), isList) != 1)
     {
       return false;
@@ -149,7 +152,7 @@ private:
   }
 
   // And whether the file is whole.
-  bool HasOnlyTriangles()
+  bool LookAtFaces()
   {
     if (!this->RewindFile())
     {
@@ -168,11 +171,12 @@ private:
       return false;
     }
     Bytes row;
-    Corners corners;
-    for (std::uint64_t i = 0; i < this->Triangles; ++i)
+    std::vector<std::uint64_t> corners;
+    for (std::uint64_t i = 0; i < this->Faces; ++i)
     {
       row.clear();
-      if (!this->ReadFace(row, corners))
+      corners.clear();
+      if (!this->ReadFace(row, corners) || !this->AddCell(corners.data(), corners.size()))
       {
         return false;
       }
@@ -287,7 +291,7 @@ private:
     }
   }
 
-  bool ReadTriangles(std::uint64_t count, vtkPolyData* piece, std::vector<Corners>& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) override
   {
     Bytes bytes = this->MakeHeader(3, count);
     for (int i = 0; i < 3; ++i)
@@ -299,37 +303,27 @@ private:
       }
       Append(bytes, this->IsText() ? "\n" : "");
     }
-    corners.resize(static_cast<std::size_t>(count));
-    for (Corners& of : corners)
+    for (std::uint64_t i = 0; i < count; ++i)
     {
-      if (!this->ReadFace(bytes, of))
+      if (!this->ReadFace(bytes, corners.Points))
       {
         return this->FailAt("the file ends before its faces, has a corner that does not exist, or has changed");
       }
+      corners.Ends.push_back(corners.Points.size());
     }
     return this->ReadPiece(std::move(bytes), piece);
   }
 
-  // Appends the next face with the corners 0 1 2 in place of its own.
-  bool ReadFace(Bytes& bytes, Corners& corners)
+  // Appends the next face's corners; to bytes, its values with the corners 0 1 2 in place of its own.
+  bool ReadFace(Bytes& bytes, std::vector<std::uint64_t>& corners)
   {
-    std::array<std::int64_t, 3> read{ -1, -1, -1 };
-    if (!(this->IsText() ? this->ReadTextFace(bytes, read) : this->ReadBinaryFace(bytes, read)))
-    {
-      return false;
-    }
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      corners[c] = static_cast<std::uint64_t>(read[c]);
-      if (read[c] < 0 || corners[c] >= this->Points)
-      {
-        return false;
-      }
-    }
-    return true;
+    const std::size_t first = corners.size();
+    return (this->IsText() ? this->ReadTextFace(bytes, corners) : this->ReadBinaryFace(bytes, corners)) &&
+      std::all_of(corners.begin() + static_cast<std::ptrdiff_t>(first), corners.end(),
+        [this](std::uint64_t corner) { return corner < this->Points; }); // negative ones are very large
   }
 
-  bool ReadBinaryFace(Bytes& bytes, std::array<std::int64_t, 3>& corners)
+  bool ReadBinaryFace(Bytes& bytes, std::vector<std::uint64_t>& corners)
   {
     const vtkMTPlyProperty& list = this->Header.Elements[1].Properties[this->List];
     const IntegerFormat countFormat(list.CountType, this->IsBigEndian());
@@ -339,20 +333,25 @@ private:
       return false;
     }
     const unsigned char* taken = this->Rows->Take(countFormat.GetSize());
-    if (!taken || countFormat.Load(taken) != 3)
+    const std::int64_t count = taken ? countFormat.Load(taken) : -1;
+    if (count < 0 || static_cast<std::uint64_t>(count) > this->Rows->GetLeft() / format.GetSize())
     {
       return false;
     }
-    taken = this->Rows->Take(3 * format.GetSize());
-    for (std::size_t c = 0; taken && c < 3; ++c)
+    for (std::int64_t i = 0; i < count; ++i)
     {
-      corners[c] = format.Load(taken + c * format.GetSize());
+      taken = this->Rows->Take(format.GetSize());
+      if (!taken)
+      {
+        return false;
+      }
+      corners.push_back(static_cast<std::uint64_t>(format.Load(taken)));
     }
     this->AppendCorners(bytes, { 0, 1, 2 });
-    return taken && this->TakeBytes(this->AfterList, bytes);
+    return this->TakeBytes(this->AfterList, bytes);
   }
 
-  bool ReadTextFace(Bytes& bytes, std::array<std::int64_t, 3>& corners)
+  bool ReadTextFace(Bytes& bytes, std::vector<std::uint64_t>& corners)
   {
     std::string_view line;
     if (!this->Rows->TakeLine(line))
@@ -369,14 +368,19 @@ private:
         Append(bytes, " ");
         continue;
       }
-      bool isGood = token == "3";
-      for (std::size_t c = 0; isGood && c < 3; ++c)
-      {
-        isGood = vtkMTTextFormat::ToNumber(vtkMTTextFormat::NextToken(line), corners[c]);
-      }
-      if (!isGood)
+      std::int64_t count = 0;
+      if (!vtkMTTextFormat::ToNumber(token, count) || count < 0 || static_cast<std::uint64_t>(count) > line.size())
       {
         return false;
+      }
+      for (std::int64_t c = 0; c < count; ++c)
+      {
+        std::int64_t corner = 0;
+        if (!vtkMTTextFormat::ToNumber(vtkMTTextFormat::NextToken(line), corner))
+        {
+          return false;
+        }
+        corners.push_back(static_cast<std::uint64_t>(corner));
       }
       Append(bytes, "3 0 1 2 ");
     }
@@ -397,14 +401,16 @@ private:
   std::unique_ptr<vtkMTFileByteSource> File;
   vtkMTPlyHeader Header;
   std::unique_ptr<vtkMTTextFormat::Stream> Rows; // at the next row
-  std::size_t List = 0;                          // which of a face's properties holds its corners
-  std::size_t VertexSize = 0;                    // bytes of a row, where it is binary
+  std::uint64_t Faces = 0;
+  std::size_t List = 0;       // which of a face's properties holds its corners
+  std::size_t VertexSize = 0; // bytes of a row, where it is binary
   std::size_t BeforeList = 0;
   std::size_t AfterList = 0;
 };
 }
 
-std::unique_ptr<vtkMTTriangleStream> vtkMTPlyStream::Open(const std::string& path)
+std::unique_ptr<vtkMTTriangleStream> vtkMTPlyStream::Open(
+  const std::string& path, const vtkMTMeshStream::Settings& settings, vtkPolyData* names)
 {
   std::string error;
   std::unique_ptr<vtkMTFileByteSource> bytes = vtkMTFileByteSource::Open(path, error);
@@ -414,6 +420,11 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTPlyStream::Open(const std::string& pat
   {
     return nullptr;
   }
-  auto stream = std::make_unique<Stream>(std::move(bytes));
-  return stream->Open() && stream->Rewind() ? std::unique_ptr<vtkMTTriangleStream>(std::move(stream)) : nullptr;
+  auto stream = std::make_unique<Stream>(std::move(bytes), settings.Store, settings.Memory);
+  if (!stream->Open() || !stream->Rewind() || (!names && !stream->GetTextureFiles().empty()))
+  {
+    return nullptr;
+  }
+  vtkMTFieldNames::Add(names, "TextureFiles", stream->GetTextureFiles());
+  return stream;
 }

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PLY files of triangles as a triangle stream. Not installed.
+// PLY files as a triangle stream. Not installed.
 #ifndef vtkMTPlyStream_h
 #define vtkMTPlyStream_h
 
-#include "vtkMTTriangleStream.h"
-
-#include <memory>
-#include <string>
+#include "vtkMTMeshStream.h"
 
 struct vtkMTPlyStream
 {
-  /// Null unless the file is PLY with the elements vertex and face, whole, and of triangles only.
-  static std::unique_ptr<vtkMTTriangleStream> Open(const std::string& path);
+  /// Null unless the file is PLY with the elements vertex and face, and whole. See vtkMTMeshStream::Open.
+  static std::unique_ptr<vtkMTTriangleStream> Open(
+    const std::string& path, const vtkMTMeshStream::Settings& settings, vtkPolyData* names);
 };
 
 #endif

@@ -85,14 +85,20 @@ public:
     : Bytes(bytes)
   {
   }
-  void Put(std::uint32_t value, unsigned width)
+  void Put(std::uint64_t value, unsigned width)
   {
-    this->Pending |= std::uint64_t(value) << this->Count;
+    this->Pending |= value << this->Count;
     for (this->Count += width; this->Count >= 8; this->Count -= 8)
     {
       this->Bytes.push_back(static_cast<unsigned char>(this->Pending));
       this->Pending >>= 8;
     }
+  }
+  void PutCode(std::uint32_t code, unsigned parameter)
+  {
+    const unsigned ones = static_cast<unsigned>(std::uint64_t(code) >> parameter);
+    this->Put((std::uint64_t(1) << ones) - 1, ones + 1);
+    this->Put(code & ((std::uint64_t(1) << parameter) - 1), parameter);
   }
   void Finish()
   {
@@ -108,55 +114,77 @@ private:
   unsigned Count = 0;
 };
 
-unsigned GetWidth(const std::uint32_t* values, std::size_t count)
+// With which the codes take the fewest bits.
+unsigned ChooseParameter(const std::uint32_t* codes, std::size_t count)
 {
-  std::uint32_t all = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  const std::uint32_t largest = *std::max_element(codes, codes + count);
+  unsigned best = 0;
+  std::uint64_t fewest = ~std::uint64_t(0);
+  for (unsigned k = 0; k <= 32; ++k)
   {
-    all |= values[i];
-  }
-  return all == 0 ? 0 : 32 - static_cast<unsigned>(__builtin_clz(all));
-}
-
-// The numbers of one block after the other, x's, y's and z's.
-template <class Use>
-void ForBlocks(std::size_t points, Use&& use)
-{
-  std::size_t block = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (std::size_t begin = 0; begin < points; begin += vtkMTPositionCodec::BlockSize)
+    if (std::uint64_t(largest) >> k > vtkMTPositionCodec::MostOnes)
     {
-      use(block++, axis, begin, std::min(vtkMTPositionCodec::BlockSize, points - begin));
+      continue;
     }
+    std::uint64_t bits = std::uint64_t(k) * count;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      bits += std::uint64_t(codes[i]) >> k;
+    }
+    best = bits < fewest ? k : best;
+    fewest = std::min(bits, fewest);
   }
+  return best;
 }
 
-class BitReader
+class CodeReader
 {
 public:
-  BitReader(const unsigned char* bytes, std::size_t size)
+  CodeReader(const unsigned char* bytes, std::size_t size)
     : Bytes(bytes)
     , Size(size)
   {
   }
-  // The caller has made sure that the bits are there.
-  void Get(std::uint32_t* values, std::size_t count, unsigned width)
+  // Behind the end there are zeros; IsAtEnd tells.
+  std::uint32_t Get(unsigned parameter)
   {
-    const std::uint64_t mask = (std::uint64_t(1) << width) - 1;
-    for (std::size_t i = 0; i < count; ++i, this->Position += width)
-    {
-      const std::size_t byte = this->Position / 8;
-      std::uint64_t word = 0;
-      std::memcpy(&word, this->Bytes + byte, byte + 8 <= this->Size ? 8 : this->Size - byte);
-      values[i] = static_cast<std::uint32_t>(word >> (this->Position % 8) & mask);
-    }
+    const std::uint64_t word = this->Load();
+    const auto ones = static_cast<unsigned>(__builtin_ctzll(~word | TooManyOnes));
+    const std::uint64_t low = (word >> (ones + 1)) & ((std::uint64_t(1) << parameter) - 1);
+    this->HasTooMany |= ones > vtkMTPositionCodec::MostOnes;
+    this->Position += ones + 1 + parameter;
+    return static_cast<std::uint32_t>((std::uint64_t(ones) << parameter) | low);
+  }
+  // Whether so many bits were there, and nothing but the zeros that fill the last byte are left.
+  bool IsAtEnd() const
+  {
+    return this->Size == (this->Position + 7) / 8 && !this->HasTooMany &&
+      (this->Position % 8 == 0 || this->Bytes[this->Size - 1] >> (this->Position % 8) == 0);
   }
 
 private:
+  // A bit that ends every run of ones.
+  static constexpr std::uint64_t TooManyOnes = std::uint64_t(1) << (vtkMTPositionCodec::MostOnes + 1);
+
+  std::uint64_t Load() const
+  {
+    const std::size_t byte = this->Position / 8;
+    std::uint64_t word = 0;
+    if (byte + sizeof(word) <= this->Size)
+    {
+      std::memcpy(&word, this->Bytes + byte, sizeof(word));
+    }
+    else if (byte < this->Size)
+    {
+      std::memcpy(&word, this->Bytes + byte, this->Size - byte);
+    }
+    return word >> (this->Position % 8);
+  }
+
   const unsigned char* Bytes;
   std::size_t Size;
   std::size_t Position = 0;
+  bool HasTooMany = false;
 };
 }
 
@@ -188,53 +216,51 @@ Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const v
           : x - expected.Get(axis));
     }
   }
-  BitWriter writer(packed.Bits);
-  ForBlocks(points.size(),
-    [&](std::size_t, int axis, std::size_t begin, std::size_t count)
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    BitWriter writer(packed.Bits[axis]);
+    for (std::size_t begin = 0; begin < points.size(); begin += BlockSize)
     {
-      const unsigned width = GetWidth(codes[axis].data() + begin, count);
-      packed.Widths.push_back(static_cast<unsigned char>(width));
+      const std::size_t count = std::min(BlockSize, points.size() - begin);
+      const unsigned parameter = ChooseParameter(codes[axis].data() + begin, count);
+      packed.Parameters.push_back(static_cast<unsigned char>(parameter));
       for (std::size_t i = begin; i < begin + count; ++i)
       {
-        writer.Put(codes[axis][i], width);
+        writer.PutCode(codes[axis][i], parameter);
       }
-    });
-  writer.Finish();
+    }
+    writer.Finish();
+  }
   return packed;
 }
 
 bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, std::vector<vtkMTPoint>& points)
 {
-  std::size_t bits = 0;
-  bool areWidthsRight = true;
-  ForBlocks(points.size(),
-    [&](std::size_t block, int, std::size_t, std::size_t count)
-    {
-      bits += source.Widths[block] * count;
-      areWidthsRight = areWidthsRight && source.Widths[block] <= 32;
-    });
-  if (!areWidthsRight || source.BitsSize != (bits + 7) / 8)
+  const std::size_t blocks = GetNumberOfBlocks(points.size()) / 3;
+  if (std::any_of(source.Parameters, source.Parameters + 3 * blocks, [](unsigned char k) { return k > 32; }))
   {
     return false;
   }
-  const std::size_t stride = points.size();
-  std::vector<std::uint32_t> codes(3 * stride);
-  BitReader reader(source.Bits, source.BitsSize);
-  ForBlocks(stride,
-    [&](std::size_t block, int axis, std::size_t begin, std::size_t count)
-    { reader.Get(codes.data() + static_cast<std::size_t>(axis) * stride + begin, count, source.Widths[block]); });
-  for (std::size_t i = 0; i < stride; ++i)
+  CodeReader readers[3] = { { source.Bits[0], source.BitsSize[0] }, { source.Bits[1], source.BitsSize[1] },
+    { source.Bits[2], source.BitsSize[2] } };
+  for (std::size_t block = 0; block < blocks; ++block)
   {
-    const Expectation expected(points, bases, i, corner);
-    const bool isCoarse = source.Shift > 0 && GetBit(source.Coarse, i);
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    const unsigned parameters[3] = { source.Parameters[block], source.Parameters[blocks + block],
+      source.Parameters[2 * blocks + block] };
+    const std::size_t end = std::min(points.size(), (block + 1) * BlockSize);
+    for (std::size_t i = block * BlockSize; i < end; ++i)
     {
-      const std::uint32_t difference = FromZigzag(codes[axis * stride + i]);
-      points[i][axis] =
-        static_cast<std::int32_t>(isCoarse ? (Coarsen(expected.Get(axis), source.Shift) + difference) << source.Shift
-                                           : expected.Get(axis) + difference);
+      const Expectation expected(points, bases, i, corner);
+      const bool isCoarse = source.Shift > 0 && GetBit(source.Coarse, i);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const std::uint32_t difference = FromZigzag(readers[axis].Get(parameters[axis]));
+        points[i][axis] =
+          static_cast<std::int32_t>(isCoarse ? (Coarsen(expected.Get(axis), source.Shift) + difference) << source.Shift
+                                             : expected.Get(axis) + difference);
+      }
     }
   }
-  return true;
+  return readers[0].IsAtEnd() && readers[1].IsAtEnd() && readers[2].IsAtEnd();
 }
 }

@@ -2,6 +2,7 @@
 #include "vtkMTStlReader.h"
 
 #include "vtkMTFileByteSource.h"
+#include "vtkMTStlText.h"
 #include "vtkMTTextFormat.h"
 
 #include "vtkCellArray.h"
@@ -11,8 +12,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
+#include <limits>
 
 namespace
 {
@@ -71,102 +74,22 @@ bool ReadBinary(vtkMTTextFormat::Stream& stream, std::uint32_t count, vtkPolyDat
   return true;
 }
 
-//------------------------------------------------------------------------------
-// Line by line; what a line begins with says what it is.
-class TextReader
+bool ReadText(vtkMTTextFormat::Stream& stream, vtkPolyData* output, std::string& error)
 {
-public:
-  explicit TextReader(vtkMTTextFormat::Stream& stream)
-    : Stream(stream)
+  vtkMTStlText text(stream);
+  std::vector<float> values;
+  if (!text.Read(std::numeric_limits<std::size_t>::max(), values))
   {
-  }
-
-  bool Read(vtkPolyData* output, std::string& error)
-  {
-    this->Coordinates->SetNumberOfComponents(3);
-    std::string_view line;
-    std::uint64_t number = 0;
-    while (this->Stream.TakeLine(line))
-    {
-      ++number;
-      if (!this->ReadLine(line))
-      {
-        error = "line " + std::to_string(number) + ": " + this->Error;
-        return false;
-      }
-    }
-    if (!this->Stream.GetError().empty() || this->IsInSolid)
-    {
-      error = !this->Stream.GetError().empty() ? this->Stream.GetError() : "ends before \"endsolid\": it is cut off";
-      return false;
-    }
-    this->Coordinates->Squeeze();
-    Fill(output, this->Coordinates);
-    return true;
-  }
-
-private:
-  bool Fail(const std::string& reason)
-  {
-    this->Error = reason;
+    error = text.GetError();
     return false;
   }
-
-  bool ReadLine(std::string_view line)
-  {
-    const std::string_view token = vtkMTTextFormat::NextToken(line);
-    const std::string keyword = vtkMTTextFormat::ToLower(token.substr(0, 20));
-    if (keyword == "vertex")
-    {
-      return this->ReadVertex(line);
-    }
-    if (keyword == "facet" || keyword == "endfacet")
-    {
-      const bool opens = keyword == "facet";
-      const bool isInOrder = this->IsInSolid && this->IsInFacet != opens && (opens || this->Corners == 3);
-      this->IsInFacet = opens;
-      const int corners = this->Corners;
-      this->Corners = 0;
-      return isInOrder ||
-        this->Fail(opens ? "a facet begins within another or outside a solid"
-                         : "a facet ends with " + std::to_string(corners) + " vertices");
-    }
-    if (keyword == "solid" || keyword == "endsolid")
-    {
-      const bool opens = keyword == "solid";
-      const bool isInOrder = this->IsInSolid != opens && !this->IsInFacet;
-      this->IsInSolid = opens;
-      return isInOrder || this->Fail("\"" + keyword + "\" is out of place");
-    }
-    return keyword.empty() || keyword == "outer" || keyword == "endloop" ||
-      this->Fail("\"" + keyword + "\" is no keyword of STL");
-  }
-
-  bool ReadVertex(std::string_view line)
-  {
-    float place[3] = { 0.0f, 0.0f, 0.0f };
-    for (float& x : place)
-    {
-      if (!vtkMTTextFormat::ToNumber(vtkMTTextFormat::NextToken(line), x))
-      {
-        return this->Fail("a vertex does not have three coordinates");
-      }
-    }
-    if (!this->IsInFacet || ++this->Corners > 3 || !vtkMTTextFormat::NextToken(line).empty())
-    {
-      return this->Fail("a vertex is out of place");
-    }
-    this->Coordinates->InsertNextTuple(place);
-    return true;
-  }
-
-  vtkMTTextFormat::Stream& Stream;
-  vtkNew<vtkFloatArray> Coordinates;
-  bool IsInSolid = false;
-  bool IsInFacet = false;
-  int Corners = 0;
-  std::string Error;
-};
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 3));
+  std::copy(values.begin(), values.end(), coordinates->GetPointer(0));
+  Fill(output, coordinates);
+  return true;
+}
 
 bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
 {
@@ -180,11 +103,9 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
   }
   std::memcpy(&count, head + 80, sizeof(count));
   const bool hasSize = size >= HeadSize && size == HeadSize + count * RecordSize;
-  std::string_view begin(reinterpret_cast<const char*>(head), HeadSize);
-  const bool isSolid = vtkMTTextFormat::ToLower(vtkMTTextFormat::NextToken(begin).substr(0, 6)) == "solid";
-  if (!hasSize && isSolid)
+  if (!hasSize && vtkMTStlText::IsText(std::string_view(reinterpret_cast<const char*>(head), HeadSize)))
   {
-    return TextReader(stream).Read(output, error);
+    return ReadText(stream, output, error);
   }
   if (size < HeadSize)
   {

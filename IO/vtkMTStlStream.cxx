@@ -2,12 +2,15 @@
 #include "vtkMTStlStream.h"
 
 #include "vtkMTFileByteSource.h"
-#include "vtkMTMemoryByteSource.h"
 #include "vtkMTPieceStream.h"
-#include "vtkMTStlReader.h"
-#include "vtkMTTextFormat.h"
+#include "vtkMTStlText.h"
 
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 namespace
@@ -15,76 +18,185 @@ namespace
 constexpr std::uint64_t HeadSize = 84; // a text of 80 bytes and the number of triangles
 constexpr std::uint64_t RecordSize = 50;
 
-// Each triangle has three points of its own.
+// Each triangle has three points of its own, and nothing else.
 class Stream : public vtkMTPieceStream
 {
 public:
-  Stream(std::unique_ptr<vtkMTFileByteSource> bytes, std::uint64_t triangles)
+  explicit Stream(std::unique_ptr<vtkMTFileByteSource> bytes)
     : Bytes(std::move(bytes))
   {
-    this->Triangles = triangles;
-    this->Points = 3 * triangles;
+  }
+
+protected:
+  bool AddTriangles(std::uint64_t count)
+  {
+    bool good = true;
+    for (std::uint64_t t = 0; good && t < count; ++t)
+    {
+      const std::uint64_t corners[3] = { 3 * t, 3 * t + 1, 3 * t + 2 };
+      good = this->AddCell(corners, 3);
+    }
+    this->Points = 3 * count;
+    return good && count > 0;
+  }
+
+  bool RewindFile() override
+  {
+    this->NextCorner = 0;
+    return true;
+  }
+
+  bool ReadCells(std::uint64_t count, vtkPolyData*, CellCorners& corners) override
+  {
+    for (std::uint64_t t = 0; t < count; ++t)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        corners.Points.push_back(this->NextCorner++);
+      }
+      corners.Ends.push_back(corners.Points.size());
+    }
+    return true;
+  }
+
+  static void Fill(const float* values, std::uint64_t count, vtkPolyData* piece)
+  {
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(3);
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(count));
+    std::copy_n(values, 3 * count, coordinates->GetPointer(0));
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    piece->SetPoints(points);
+  }
+
+  std::unique_ptr<vtkMTFileByteSource> Bytes;
+
+private:
+  std::uint64_t NextCorner = 0;
+};
+
+//------------------------------------------------------------------------------
+class BinaryStream : public Stream
+{
+public:
+  using Stream::Stream;
+
+  // Whether the file has the size that it says.
+  bool Open()
+  {
+    unsigned char head[HeadSize];
+    std::uint32_t count = 0;
+    if (this->Bytes->GetSize() < HeadSize || !this->Bytes->Read(0, HeadSize, head, this->Error))
+    {
+      return false;
+    }
+    std::memcpy(&count, head + 80, sizeof(count));
+    return this->Bytes->GetSize() == HeadSize + count * RecordSize && this->AddTriangles(count);
   }
 
 private:
   bool RewindFile() override
   {
-    this->NextPoint = 0;
     this->NextTriangle = 0;
-    return true;
+    return Stream::RewindFile();
   }
 
   bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
   {
     // Triangles are not cut.
     static_assert(PieceSize % 3 == 0, "a piece of points is one of triangles");
-    const std::uint64_t first = this->NextPoint / 3;
-    this->NextPoint += count;
-    return this->Read(first, count / 3, piece);
-  }
-
-  bool ReadTriangles(std::uint64_t count, vtkPolyData* piece, std::vector<Corners>& corners) override
-  {
-    const std::uint64_t first = this->NextTriangle;
-    this->NextTriangle += count;
-    for (std::uint64_t t = first; t < first + count; ++t)
+    std::vector<unsigned char> records(static_cast<std::size_t>(count / 3 * RecordSize));
+    if (!this->Bytes->Read(HeadSize + this->NextTriangle * RecordSize, records.size(), records.data(), this->Error))
     {
-      corners.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
+      return false;
     }
-    return this->Read(first, count, piece);
+    this->NextTriangle += count / 3;
+    std::vector<float> values(static_cast<std::size_t>(3 * count));
+    for (std::size_t t = 0; t < count / 3; ++t)
+    {
+      std::memcpy(values.data() + 9 * t, records.data() + t * RecordSize + 12, 36); // after the normal
+    }
+    Fill(values.data(), count, piece);
+    return true;
   }
 
-  bool Read(std::uint64_t first, std::uint64_t count, vtkPolyData* piece)
-  {
-    std::vector<unsigned char> bytes(static_cast<std::size_t>(HeadSize + count * RecordSize), 0);
-    const auto number = static_cast<std::uint32_t>(count);
-    std::memcpy(bytes.data() + 80, &number, sizeof(number));
-    return this->Bytes->Read(
-             HeadSize + first * RecordSize, bytes.size() - HeadSize, bytes.data() + HeadSize, this->Error) &&
-      vtkMTStlReader::Read(vtkMTMemoryByteSource(std::move(bytes)), piece, this->Error);
-  }
-
-  std::unique_ptr<vtkMTFileByteSource> Bytes;
-  std::uint64_t NextPoint = 0;
   std::uint64_t NextTriangle = 0;
 };
+
+//------------------------------------------------------------------------------
+class TextStream : public Stream
+{
+public:
+  using Stream::Stream;
+
+  // Reads the whole file once.
+  bool Open()
+  {
+    std::vector<float> values;
+    std::uint64_t count = 0;
+    this->RewindFile();
+    do
+    {
+      values.clear();
+      if (!this->Text->Read(static_cast<std::size_t>(PieceSize), values))
+      {
+        return false;
+      }
+      count += values.size() / 9;
+    } while (!values.empty());
+    return this->AddTriangles(count);
+  }
+
+private:
+  bool RewindFile() override
+  {
+    this->Lines = std::make_unique<vtkMTTextFormat::Stream>(*this->Bytes);
+    this->Text = std::make_unique<vtkMTStlText>(*this->Lines);
+    return Stream::RewindFile();
+  }
+
+  bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
+  {
+    std::vector<float> values;
+    if (!this->Text->Read(static_cast<std::size_t>(count), values) || values.size() != 3 * count)
+    {
+      return this->Fail(this->Bytes->GetName() + ": " +
+        (this->Text->GetError().empty() ? "ends before its triangles: it has changed" : this->Text->GetError()));
+    }
+    Fill(values.data(), count, piece);
+    return true;
+  }
+
+  std::unique_ptr<vtkMTTextFormat::Stream> Lines;
+  std::unique_ptr<vtkMTStlText> Text;
+};
+
+template <typename Kind>
+std::unique_ptr<vtkMTTriangleStream> OpenAs(std::unique_ptr<vtkMTFileByteSource> bytes)
+{
+  auto stream = std::make_unique<Kind>(std::move(bytes));
+  return stream->Open() && stream->Rewind() ? std::move(stream) : nullptr;
+}
 }
 
-std::unique_ptr<vtkMTTriangleStream> vtkMTStlStream::Open(const std::string& path)
+std::unique_ptr<vtkMTTriangleStream> vtkMTStlStream::Open(
+  const std::string& path, const vtkMTMeshStream::Settings& settings, vtkPolyData*)
 {
   std::string error;
-  std::unique_ptr<vtkMTFileByteSource> bytes = vtkMTFileByteSource::Open(path, error);
-  unsigned char head[HeadSize];
-  std::uint32_t count = 0;
-  if (vtkMTTextFormat::GetLowerCaseEnding(path) != "stl" || !bytes || bytes->GetSize() < HeadSize ||
-    !bytes->Read(0, HeadSize, head, error))
+  auto bytes = vtkMTFileByteSource::Open(path, error);
+  char head[HeadSize] = {};
+  if (!bytes || bytes->GetSize() < 6 ||
+    !bytes->Read(0, static_cast<std::size_t>(std::min(bytes->GetSize(), HeadSize)), head, error))
   {
     return nullptr;
   }
-  std::memcpy(&count, head + 80, sizeof(count));
-  if (count == 0 || bytes->GetSize() != HeadSize + count * RecordSize)
+  const bool isLarge = bytes->GetSize() >= settings.LeastSize;
+  std::unique_ptr<vtkMTTriangleStream> stream = OpenAs<BinaryStream>(std::move(bytes));
+  if (!stream && isLarge && vtkMTStlText::IsText(std::string_view(head, HeadSize)))
   {
-    return nullptr;
+    bytes = vtkMTFileByteSource::Open(path, error);
+    stream = bytes ? OpenAs<TextStream>(std::move(bytes)) : nullptr;
   }
-  return std::make_unique<Stream>(std::move(bytes), count);
+  return stream;
 }

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Binary STL as a triangle stream. Not installed.
+// STL files as a triangle stream. Not installed.
 #ifndef vtkMTStlStream_h
 #define vtkMTStlStream_h
 
-#include "vtkMTTriangleStream.h"
-
-#include <memory>
-#include <string>
+#include "vtkMTMeshStream.h"
 
 struct vtkMTStlStream
 {
-  /// Null unless the file is named .stl and its size is that of a binary STL file with triangles.
-  static std::unique_ptr<vtkMTTriangleStream> Open(const std::string& path);
+  /// Null unless the file is STL, binary or text, and whole. See vtkMTMeshStream::Open.
+  static std::unique_ptr<vtkMTTriangleStream> Open(
+    const std::string& path, const vtkMTMeshStream::Settings& settings, vtkPolyData* names);
 };
 
 #endif

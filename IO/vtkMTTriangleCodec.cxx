@@ -141,6 +141,16 @@ public:
     this->Link(before, after);
   }
 
+  // The starts of the gates that follow each other from this one, as far as they have not been asked for yet.
+  void TakeLoop(std::uint32_t gate, std::vector<std::uint32_t>& vertices)
+  {
+    for (; this->Gates[gate].State != Gone; gate = this->Gates[gate].Next)
+    {
+      this->Gates[gate].State = Gone;
+      vertices.push_back(this->Gates[gate].From);
+    }
+  }
+
 private:
   void Push(std::uint32_t gate) { this->Stack[this->StackSize++] = gate; }
   // Field by field: a gate that was copied as a whole could not be read again before the copy is through.
@@ -436,10 +446,11 @@ class Decoder
 {
 public:
   Decoder(StepReader steps, vtkMTNumberCode::Reader names, std::size_t triangles, std::size_t vertices,
-    std::vector<Basis>& bases)
+    std::vector<Basis>& bases, std::vector<std::uint32_t>& border)
     : Steps(steps)
     , Names(names)
     , Bases(bases)
+    , Border(border)
     , Growing(triangles, vertices)
   {
   }
@@ -455,10 +466,23 @@ public:
       }
     }
     this->Bases.resize(this->Met);
+    this->TakeBorder();
     return this->Steps.IsAtEnd() && this->Names.IsAtEnd();
   }
 
 private:
+  void TakeBorder()
+  {
+    for (std::uint32_t gate = this->Growing.Pop(); gate != None; gate = this->Growing.Pop())
+    {
+      this->BorderGates.push_back(gate);
+    }
+    for (const std::uint32_t gate : this->BorderGates)
+    {
+      this->Growing.TakeLoop(gate, this->Border);
+    }
+  }
+
   bool Meet(std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
     if (this->Met == this->Bases.size())
@@ -507,6 +531,7 @@ private:
     if (step == Nothing)
     {
       this->Growing.MakeBorder(gate);
+      this->BorderGates.push_back(gate);
       return true;
     }
     vtkMTTriangle& triangle = triangles[t++];
@@ -555,6 +580,8 @@ private:
   StepReader Steps;
   vtkMTNumberCode::Reader Names;
   std::vector<Basis>& Bases; // one for every vertex that there may be
+  std::vector<std::uint32_t>& Border;
+  std::vector<std::uint32_t> BorderGates; // as they became that, then those that are still open
   std::uint32_t Met = 0;
   Front Growing;
 };
@@ -568,11 +595,13 @@ Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
 }
 
 bool Decode(const unsigned char* steps, std::size_t stepsSize, const unsigned char* names, std::size_t namesSize,
-  std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases)
+  std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases,
+  std::vector<std::uint32_t>& border)
 {
   bases.assign(vertices, Basis());
+  border.clear();
   return Decoder(
-    StepReader(steps, stepsSize), vtkMTNumberCode::Reader(names, namesSize), triangles.size(), vertices, bases)
+    StepReader(steps, stepsSize), vtkMTNumberCode::Reader(names, namesSize), triangles.size(), vertices, bases, border)
     .Run(triangles);
 }
 }

@@ -45,10 +45,12 @@ Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices);
 
 /**
  * Fills triangles, whose number is given, with vertices in stream order, and the bases of those that were met; the
- * latter are at most `vertices`. False when the bytes are no such steps.
+ * latter are at most `vertices`. border: the vertices from which the gates start that are left in the end, loop by
+ * loop, which are the border of the triangles; one may be there more than once. False when the bytes are no such steps.
  */
 bool Decode(const unsigned char* steps, std::size_t stepsSize, const unsigned char* names, std::size_t namesSize,
-  std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases);
+  std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases,
+  std::vector<std::uint32_t>& border);
 }
 
 #endif

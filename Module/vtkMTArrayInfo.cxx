@@ -44,5 +44,6 @@ bool vtkMTArrayInfo::operator==(const vtkMTArrayInfo& other) const
 {
   return this->Name == other.Name && this->Type == other.Type && this->Components == other.Components &&
     this->Association == other.Association && this->Resampling == other.Resampling && this->Role == other.Role &&
-    this->Attribute == other.Attribute && this->ComponentNames == other.ComponentNames;
+    this->Attribute == other.Attribute && this->ComponentNames == other.ComponentNames &&
+    this->Properties == other.Properties;
 }

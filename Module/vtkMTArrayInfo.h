@@ -5,7 +5,7 @@
  *
  * Values are kept as bytes in native VTK layout: tuple by tuple, Components values of VTK type Type each. Point arrays
  * have one tuple per wedge of a patch, cell arrays one per triangle. On level 0 the bytes are the input's; above, they
- * are resampled as Resampling says.
+ * are resampled as Resampling says. An array of role ExactPoints is empty above level 0.
  */
 #ifndef vtkMTArrayInfo_h
 #define vtkMTArrayInfo_h
@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   {
     Plain = 0,
     InputCellIds = 1, ///< the input's cell id of each triangle, for picking; one vtkIdType
-    MadeNormals = 2   ///< normals that the builder made because the input had none
+    MadeNormals = 2,  ///< normals that the builder made because the input had none
+    ExactPoints = 3   ///< level 0 only, empty above: the input's coordinates, see vtkMTExactPoints
   };
 
   std::string Name;
@@ -47,6 +49,9 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   RoleType Role = Plain;
   int Attribute = -1; ///< vtkDataSetAttributes::SCALARS, NORMALS, TCOORDS ... where the array is the active one, or -1
   std::vector<std::string> ComponentNames; ///< Components names, or none
+  /// What else the input's array says of itself: "units" (vtkDataArray::UNITS_LABEL), "lookup_table" (the bytes of
+  /// vtkMTLookupTable).
+  std::map<std::string, std::string> Properties;
 
   /// Bytes of one tuple; 0 for a type that is not carried.
   std::size_t GetTupleSize() const;

@@ -24,6 +24,7 @@ struct vtkMTAssembler::Internals
   std::vector<std::size_t> CellSizes;
   std::vector<unsigned char> HasPointColumn;
   std::vector<unsigned char> HasCellColumn;
+  std::vector<unsigned char> IsOptional; // of the point columns: only where all patches have it
   bool First = true;
   vtkMTIdTable Table;
   std::vector<std::uint32_t> FirstWedge; // per point of the mesh
@@ -43,6 +44,19 @@ struct vtkMTAssembler::Internals
       }
     }
     return true;
+  }
+
+  void GiveUpOptional(const vtkMTPatch& patch, vtkMTPatch& mesh)
+  {
+    for (std::size_t i = 0; i < this->IsOptional.size() && !this->First; ++i)
+    {
+      if (this->IsOptional[i] && i < patch.PointColumns.size() && patch.PointColumns[i].empty() &&
+        patch.GetNumberOfWedges() > 0)
+      {
+        this->HasPointColumn[i] = 0;
+        mesh.PointColumns[i] = vtkMTColumn();
+      }
+    }
   }
 
   bool IsSound(const vtkMTPatch& patch) const
@@ -88,6 +102,10 @@ vtkMTAssembler::vtkMTAssembler(const std::vector<vtkMTArrayInfo>& arrays)
   {
     (array.Association == vtkMTArrayInfo::Cell ? this->Implementation->CellSizes : this->Implementation->PointSizes)
       .push_back(array.GetTupleSize());
+    if (array.Association == vtkMTArrayInfo::Point)
+    {
+      this->Implementation->IsOptional.push_back(array.Role == vtkMTArrayInfo::ExactPoints ? 1 : 0);
+    }
   }
   this->Implementation->HasPointColumn.resize(this->Implementation->PointSizes.size(), 1);
   this->Implementation->HasCellColumn.resize(this->Implementation->CellSizes.size(), 1);
@@ -107,6 +125,7 @@ bool vtkMTAssembler::Add(const vtkMTPatch& patch)
     this->Error = "a patch has an index out of range";
     return false;
   }
+  in.GiveUpOptional(patch, this->Mesh);
   if (!in.AreColumnsRight(patch.PointColumns, in.PointSizes, in.HasPointColumn, patch.GetNumberOfWedges()) ||
     !in.AreColumnsRight(patch.CellColumns, in.CellSizes, in.HasCellColumn, patch.Triangles.size()))
   {

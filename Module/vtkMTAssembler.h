@@ -26,7 +26,8 @@ public:
 
   /**
    * Appends one patch. False when a shared id comes with another place than before, which is a broken model; the
-   * message is in GetError. A column that is empty in the first patch is left empty in the result.
+   * message is in GetError. A column that is empty in the first patch is left empty in the result, and so is one of
+   * role ExactPoints that is empty in any.
    */
   bool Add(const vtkMTPatch& patch);
 

@@ -5,7 +5,12 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkLookupTable.h"
+#include "vtkMTExactPoints.h"
 #include "vtkMTLattice.h"
+#include "vtkMTLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -17,12 +22,27 @@
 namespace
 {
 //------------------------------------------------------------------------------
+void AddProperties(const vtkMTArrayInfo& info, vtkDataArray* array)
+{
+  const auto units = info.Properties.find("units");
+  if (units != info.Properties.end())
+  {
+    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), units->second.c_str());
+  }
+  const auto table = info.Properties.find("lookup_table");
+  if (table != info.Properties.end())
+  {
+    array->SetLookupTable(vtkMTLookupTable::Decode(table->second));
+  }
+}
+
+//------------------------------------------------------------------------------
 void AddArray(
   const vtkMTArrayInfo& info, const vtkMTColumn& column, std::size_t tuples, vtkDataSetAttributes* attributes)
 {
   const std::size_t size = info.GetTupleSize();
   // An empty column was not asked for; any other wrong length is a broken patch, which the validator reports.
-  if (size == 0 || column.size() != tuples * size)
+  if (size == 0 || column.size() != tuples * size || info.Role == vtkMTArrayInfo::ExactPoints)
   {
     return;
   }
@@ -39,26 +59,67 @@ void AddArray(
   {
     array->SetComponentName(static_cast<vtkIdType>(i), info.ComponentNames[i].c_str());
   }
+  AddProperties(info, array);
   const int index = attributes->AddArray(array);
   if (info.Attribute >= 0 && info.Attribute < vtkDataSetAttributes::NUM_ATTRIBUTES)
   {
     attributes->SetActiveAttribute(index, info.Attribute);
   }
 }
+
+//------------------------------------------------------------------------------
+// The array that the points are taken from; null when they are on the lattice. column is its place.
+const vtkMTArrayInfo* FindExactPoints(
+  const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays, std::size_t& column)
+{
+  column = 0;
+  for (const vtkMTArrayInfo& info : arrays)
+  {
+    if (vtkMTExactPoints::IsSound(info) && column < mesh.PointColumns.size() &&
+      mesh.PointColumns[column].size() == mesh.GetNumberOfWedges() * info.GetTupleSize())
+    {
+      return &info;
+    }
+    column += info.Association == vtkMTArrayInfo::Point ? 1 : 0;
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
-void vtkMTMeshToPolyData::Convert(
+bool FillPoints(
+  const vtkMTPatch& mesh, const vtkMTLattice& lattice, const std::vector<vtkMTArrayInfo>& arrays, vtkPoints* points)
+{
+  std::size_t column = 0;
+  const vtkMTArrayInfo* exact = FindExactPoints(mesh, arrays, column);
+  points->SetDataType(exact && vtkMTExactPoints::IsSingle(*exact) ? VTK_FLOAT : VTK_DOUBLE);
+  const std::size_t wedges = mesh.GetNumberOfWedges();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(wedges));
+  for (std::uint32_t w = 0; w < wedges; ++w)
+  {
+    const vtkMTPoint& point = mesh.Points[mesh.GetPointOfWedge(w)];
+    std::array<double, 3> place = lattice.ToWorld(point);
+    if (exact &&
+      !vtkMTExactPoints::Decode(
+        *exact, lattice, point, mesh.PointColumns[column].data() + w * exact->GetTupleSize(), place))
+    {
+      return false;
+    }
+    points->SetPoint(w, place.data());
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTMeshToPolyData::Convert(
   const vtkMTPatch& mesh, const vtkMTLattice& lattice, const std::vector<vtkMTArrayInfo>& arrays, vtkPolyData* output)
 {
   output->Initialize();
   const std::size_t wedges = mesh.GetNumberOfWedges();
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(wedges));
-  for (std::uint32_t w = 0; w < wedges; ++w)
+  if (!FillPoints(mesh, lattice, arrays, points))
   {
-    points->SetPoint(w, lattice.ToWorld(mesh.Points[mesh.GetPointOfWedge(w)]).data());
+    return false;
   }
   output->SetPoints(points);
 
@@ -101,4 +162,5 @@ void vtkMTMeshToPolyData::Convert(
       ++pointColumn;
     }
   }
+  return true;
 }

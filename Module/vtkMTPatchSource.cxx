@@ -11,3 +11,22 @@ bool vtkMTPatchSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& 
   error = this->GetName() + ": no blob " + std::to_string(blob);
   return false;
 }
+
+//------------------------------------------------------------------------------
+void vtkMTPatchSource::ReadPatches(
+  const std::vector<std::uint32_t>& arcs, const std::vector<unsigned char>* arrays, const PatchUse& use) const
+{
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+  {
+    vtkMTPatch patch;
+    std::string error;
+    const bool read = this->ReadPatch(arcs[i], arrays, patch, error);
+    use(i, read, patch, error);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkMTPatchSource::GetPatchPlace(std::uint32_t arc) const
+{
+  return arc;
+}

@@ -5,6 +5,10 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkLookupTable.h"
+#include "vtkMTLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -165,6 +169,7 @@ struct vtkMTPolyDataStream::Internals
   vtkIdType GetNumberOfStrips() { return this->Input->GetStrips()->GetNumberOfCells(); }
 
   void AddArrays(vtkDataSetAttributes* attributes, vtkMTArrayInfo::AssociationType association, vtkIdType tuples);
+  static void AddProperties(vtkDataArray* array, vtkMTArrayInfo& info);
   void CountCells();
   void LoadCell();
   void AddStrip();
@@ -208,6 +213,7 @@ void vtkMTPolyDataStream::Internals::AddArrays(
     {
       info.ComponentNames.emplace_back(array->GetComponentName(c) ? array->GetComponentName(c) : "");
     }
+    this->AddProperties(vtkDataArray::SafeDownCast(array), info);
     const std::string reason = GetReasonToLeaveOut(array, tuples, info.GetTupleSize());
     if (!reason.empty())
     {
@@ -224,6 +230,19 @@ void vtkMTPolyDataStream::Internals::AddArrays(
     }
     (association == vtkMTArrayInfo::Cell ? this->CellColumns : this->PointColumns).push_back(column);
     this->Infos.push_back(info);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMTPolyDataStream::Internals::AddProperties(vtkDataArray* array, vtkMTArrayInfo& info)
+{
+  if (array && array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
+  {
+    info.Properties["units"] = array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+  }
+  if (array && array->GetLookupTable())
+  {
+    info.Properties["lookup_table"] = vtkMTLookupTable::Encode(array->GetLookupTable());
   }
 }
 

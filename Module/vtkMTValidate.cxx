@@ -239,8 +239,9 @@ void CheckColumns(
     const std::size_t tuples = cell ? mesh.Triangles.size() : mesh.GetNumberOfWedges();
     const std::size_t index = next[cell]++;
     const std::size_t size = index < columns.size() ? columns[index].size() : 0;
-    Expect(result, "patch", array.GetTupleSize() > 0 && size == tuples * array.GetTupleSize(), name, ": the array ",
-      array.Name, " has ", size, " bytes for ", tuples, " tuples of ", array.GetTupleSize());
+    const bool mayBeEmpty = array.Role == vtkMTArrayInfo::ExactPoints && size == 0;
+    Expect(result, "patch", array.GetTupleSize() > 0 && (mayBeEmpty || size == tuples * array.GetTupleSize()), name,
+      ": the array ", array.Name, " has ", size, " bytes for ", tuples, " tuples of ", array.GetTupleSize());
   }
   Expect(result, "patch", mesh.PointColumns.size() == next[0] && mesh.CellColumns.size() == next[1], name, " has ",
     mesh.PointColumns.size(), " point and ", mesh.CellColumns.size(), " cell arrays, the model ", next[0], " and ",

@@ -106,14 +106,18 @@ double vtkMTView::GetPixelError(const std::array<double, 3>& center, double radi
   {
     return std::numeric_limits<double>::infinity();
   }
-  const double offAxis = std::hypot(eye[0], eye[1]);
-  const double distance = std::hypot(offAxis, eye[2]);
-  double angle = std::atan(std::hypot(this->HalfSize[0], this->HalfSize[1]));
-  if (r < distance)
+  // The cosine of the largest angle off the axis: the smaller one of the view's corner and of the sphere's far side,
+  // which is the sum of its centre's angle and of half the angle under which it is seen.
+  const double square = eye[0] * eye[0] + eye[1] * eye[1];
+  const double distance = std::sqrt(square + eye[2] * eye[2]);
+  double cosine = 1.0 / std::sqrt(1.0 + this->HalfSize[0] * this->HalfSize[0] + this->HalfSize[1] * this->HalfSize[1]);
+  if (r < distance && eye[2] < 0.0)
   {
-    angle = std::min(angle, std::atan2(offAxis, -eye[2]) + std::asin(r / distance));
+    const double across = r / distance;
+    const double along = std::sqrt((1.0 - across) * (1.0 + across));
+    cosine = std::max(cosine, (-eye[2] * along - std::sqrt(square) * across) / distance - Rounding);
   }
-  return e * this->PixelsPerUnit / ((nearest - e) * std::cos(angle)) * (1.0 + Rounding);
+  return e * this->PixelsPerUnit / ((nearest - e) * cosine) * (1.0 + 4.0 * Rounding);
 }
 
 //------------------------------------------------------------------------------

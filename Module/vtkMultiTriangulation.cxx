@@ -164,6 +164,10 @@ bool vtkMultiTriangulation::CutToPolyData(
       return false;
     }
   }
-  vtkMTMeshToPolyData::Convert(assembler.GetMesh(), graph.Lattice, graph.Arrays, output);
+  if (!vtkMTMeshToPolyData::Convert(assembler.GetMesh(), graph.Lattice, graph.Arrays, output))
+  {
+    error = source.GetName() + ": the exact points are farther from the lattice than the model's largest shift";
+    return false;
+  }
   return true;
 }

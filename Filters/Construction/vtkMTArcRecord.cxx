@@ -5,6 +5,7 @@
 #include "vtkMTVector.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 using namespace vtkMTVector;
@@ -15,7 +16,14 @@ namespace
 // seen.
 void SetCone(const vtkMTPatch& patch, vtkMTArc& arc)
 {
-  std::vector<Vector> normals;
+  // Of a product of two edges' coordinates, which are exact, and of their difference.
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  struct Normal
+  {
+    Vector Direction;
+    double Slack; // how far rounding may have turned it: much for slivers
+  };
+  std::vector<Normal> normals;
   normals.reserve(patch.Triangles.size());
   Vector sum{ 0.0, 0.0, 0.0 };
   for (std::size_t t = 0; t < patch.Triangles.size(); ++t)
@@ -27,12 +35,14 @@ void SetCone(const vtkMTPatch& patch, vtkMTArc& arc)
       const vtkMTPoint& k = patch.Points[p[c]];
       x[c] = { static_cast<double>(k[0]), static_cast<double>(k[1]), static_cast<double>(k[2]) };
     }
-    const Vector normal = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
+    const Vector u = Subtract(x[1], x[0]);
+    const Vector v = Subtract(x[2], x[0]);
+    const Vector normal = Cross(u, v);
     const double length = Norm(normal);
     if (length > 0.0)
     {
-      normals.push_back(Scale(normal, 1.0 / length));
-      sum = Add(sum, normals.back());
+      normals.push_back({ Scale(normal, 1.0 / length), rounding * Norm(u) * Norm(v) / length });
+      sum = Add(sum, normals.back().Direction);
     }
   }
   const double length = Norm(sum);
@@ -42,9 +52,13 @@ void SetCone(const vtkMTPatch& patch, vtkMTArc& arc)
   }
   const Vector axis = Scale(sum, 1.0 / length);
   double cosine = 1.0;
-  for (const Vector& normal : normals)
+  for (const Normal& normal : normals)
   {
-    cosine = std::min(cosine, Dot(normal, axis));
+    cosine = std::min(cosine, Dot(normal.Direction, axis) - normal.Slack);
+  }
+  if (!(cosine > 0.0))
+  {
+    return; // culls nothing
   }
   for (int i = 0; i < 3; ++i)
   {

@@ -248,7 +248,10 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
   {
     if (info.Association == vtkMTArrayInfo::Point)
     {
-      transfer.Run(info, floor.PointColumns[pointArray], fragment.PointColumns[pointArray]);
+      if (info.Role != vtkMTArrayInfo::ExactPoints) // which only level 0 has
+      {
+        transfer.Run(info, floor.PointColumns[pointArray], fragment.PointColumns[pointArray]);
+      }
       ++pointArray;
       continue;
     }

@@ -17,6 +17,7 @@
 class vtkMTPartitionStrategy;
 class vtkMTSimplifier;
 class vtkMTSpoolStore;
+class vtkMTStageTimes;
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
 {
@@ -36,6 +37,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
   int LatticeBits = 24;
   bool MakeNormals = true;
   bool KeepFarOutliers = false;
+  bool ExactPoints = false;
   const vtkMTPartitionStrategy* Partition = nullptr;
   const vtkMTSimplifier* Simplifier = nullptr;
   ///@}
@@ -45,6 +47,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
   int Threads = 1;
   std::size_t SortMemory = std::size_t(64) << 20; ///< bytes, for all sorts that go on at a time
   vtkMTSpoolStore* Store = nullptr;
+  vtkMTStageTimes* Times = nullptr; ///< gets the time that is spent
   /// Called now and then; false stops the work.
   std::function<bool(const ProgressReport&)> Progress;
   ///@}

@@ -22,6 +22,12 @@ void PutArrays(vtkMTBytes::Writer& writer, const std::vector<vtkMTArrayInfo>& ar
     {
       writer.PutText(name);
     }
+    writer.Put<std::uint64_t>(array.Properties.size());
+    for (const auto& [name, value] : array.Properties)
+    {
+      writer.PutText(name);
+      writer.PutText(value);
+    }
   }
 }
 
@@ -41,6 +47,11 @@ void TakeArrays(vtkMTBytes::Reader& reader, std::vector<vtkMTArrayInfo>& arrays)
     for (auto names = reader.Take<std::uint64_t>(); names > 0 && reader.IsSound(); --names)
     {
       array.ComponentNames.push_back(reader.TakeText());
+    }
+    for (auto properties = reader.Take<std::uint64_t>(); properties > 0 && reader.IsSound(); --properties)
+    {
+      const std::string name = reader.TakeText();
+      array.Properties[name] = reader.TakeText();
     }
     arrays.push_back(array);
   }

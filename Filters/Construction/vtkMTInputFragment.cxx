@@ -4,6 +4,7 @@
 #include "vtkMTBytes.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
+#include "vtkMTSharedIds.h"
 
 #include <algorithm>
 #include <cstring>
@@ -106,6 +107,7 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
   }
   records.Triangles = {};
   this->Orientation.Run(this->Mesh, this->Numbers);
+  this->SharedPlaces = vtkMTSharedIds::FindPlaces(this->Mesh);
   if (layout.MakeNormals)
   {
     vtkMTSharedNormals::FindTerms(

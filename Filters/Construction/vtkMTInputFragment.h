@@ -25,7 +25,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
   std::vector<std::uint32_t> Numbers; ///< of the triangles, in the whole input
   vtkMTOrientation::Fragment Orientation;
   std::vector<vtkMTSharedNormals::Term> Terms;
-  std::vector<std::uint32_t> Pieces; ///< as vtkMTOrientation::Add numbered them
+  std::vector<std::uint32_t> SharedPlaces; ///< of Make, vtkMTSharedIds::FindPlaces; not encoded
+  std::vector<std::uint32_t> Pieces;       ///< as vtkMTOrientation::Add numbered them
 
   struct Layout
   {

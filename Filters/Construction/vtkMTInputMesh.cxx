@@ -2,16 +2,14 @@
 #include "vtkMTInputMesh.h"
 
 #include "vtkMTBuildState.h"
+#include "vtkMTExactPoints.h"
 #include "vtkMTFarOutliers.h"
-#include "vtkMTInputFragment.h"
+#include "vtkMTInputFragments.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTInputSpool.h"
-#include "vtkMTOrderedWork.h"
 #include "vtkMTPartitionStrategy.h"
-#include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
-#include "vtkMTPointNormals.h"
-#include "vtkMTRegionStep.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
 
@@ -20,11 +18,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
 using Barycentre = vtkMTBarycentreSpool::Barycentre;
-using Bytes = std::vector<unsigned char>;
 
 void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::uint64_t count)
 {
@@ -112,19 +110,25 @@ public:
     {
       return false;
     }
-    this->SetUpArrays(stream);
+    this->SetUpArrays(stream, input.IsSingle());
     state.Graph.InputTriangles = input.GetInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
     state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
     vtkMTStitch stitch(*this->Settings.Store, this->Settings.SortMemory / 4);
-    this->Regions = std::make_unique<vtkMTInputRegions>(this->Settings, input, this->Settings.SortMemory / 4 * 3);
-    if (!this->SortIntoRegions(input, stitch) || !this->MakeFragments(input))
+    this->Regions = std::make_unique<vtkMTInputRegions>(
+      this->Settings, input, this->Settings.ExactPoints ? &this->Exact : nullptr, this->Settings.SortMemory / 4 * 3);
+    if (!this->SortIntoRegions(input, stitch))
     {
       return false;
     }
+    vtkMTInputFragments fragments(this->Settings, state, this->NumberOfRegions, this->MakesNormals);
+    bool done = fragments.Make(*this->Regions, input);
     this->Report(stream, input, stitch);
-    return this->FinishFragments();
+    this->Regions.reset();
+    done = done && fragments.Finish();
+    this->Aborted = fragments.WasAborted();
+    return done || this->Fail(fragments.GetError());
   }
 
   std::string Error;
@@ -158,6 +162,7 @@ private:
 
   bool FindOutliers(vtkMTInputSpool& input, vtkMTFarOutliers& outliers)
   {
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
     bool good = outliers.FinishStep();
     vtkMTInputBlock block;
     while (good && !outliers.IsFinished() && !this->Settings.KeepFarOutliers)
@@ -180,11 +185,16 @@ private:
     return true;
   }
 
-  void SetUpArrays(const vtkMTTriangleStream& stream)
+  void SetUpArrays(const vtkMTTriangleStream& stream, bool isSingle)
   {
     std::vector<vtkMTArrayInfo>& arrays = this->State->Graph.Arrays;
     arrays = stream.GetArrays();
     this->MakesNormals = this->Settings.MakeNormals && !HasNormals(arrays);
+    if (this->Settings.ExactPoints)
+    {
+      this->Exact = vtkMTExactPoints::MakeInfo(isSingle, arrays);
+      arrays.push_back(this->Exact);
+    }
     arrays.push_back(MakeCellIdInfo());
     if (this->MakesNormals)
     {
@@ -209,6 +219,7 @@ private:
   // Psi_0
   bool SortIntoRegions(vtkMTInputSpool& input, vtkMTStitch& stitch)
   {
+    const vtkMTStageTimes::Scope seed(this->Settings.Times, vtkMTStageTimes::Seed, true);
     vtkMTBarycentreSpool scan;
     if (!scan.Begin(*this->Settings.Store, "input-barycentres", this->Error) ||
       !this->PutBarycentres(input, stitch, scan) || !scan.Seal(this->Error))
@@ -238,11 +249,13 @@ private:
       }
       this->Locate(*partition, this->GetBarycentres(block), regions);
       done += regions.size();
+      const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
       if (!this->Regions->Add(block, regions) || !this->Continue("sorting into regions", done))
       {
         return this->Error.empty() ? this->Fail(this->Regions->GetError()) : false;
       }
     }
+    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
     input.ForgetBlocks();
     const bool found = this->Regions->FindPoints(stitch, this->State->Graph.Lattice);
     input.ForgetPoints();
@@ -263,9 +276,12 @@ private:
       {
         return this->Fail(input.GetError());
       }
-      if (!stitch.Add(block, partColumn))
       {
-        return this->Fail(stitch.GetError());
+        const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
+        if (!stitch.Add(block, partColumn))
+        {
+          return this->Fail(stitch.GetError());
+        }
       }
       const std::vector<unsigned char> used = block.GetUsed();
       for (std::size_t p = 0; p < used.size(); ++p)
@@ -280,6 +296,12 @@ private:
     }
     // Four roundings at most: 2^-50 covers them.
     lattice.MaximumShift = std::sqrt(largest) * (1.0 + std::ldexp(1.0, -50)) * lattice.Step;
+    if (largest > 0.0 && lattice.MaximumShift < std::numeric_limits<double>::min())
+    {
+      // Denormal numbers are rounded more coarsely than that.
+      lattice.MaximumShift = std::nextafter(lattice.MaximumShift, std::numeric_limits<double>::infinity());
+    }
+    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
     return stitch.Finish() || this->Fail(stitch.GetError());
   }
 
@@ -320,177 +342,12 @@ private:
     }
   }
 
-  //----------------------------------------------------------------------------
-  // Fragments, but for what depends on other fragments
-  struct Making
-  {
-    vtkMTInputRegions::Region Records;
-    vtkMTInputFragment Fragment;
-    std::vector<Barycentre> Barycentres;
-  };
-
-  bool MakeFragments(const vtkMTInputSpool& input)
-  {
-    vtkMTBuildState& state = *this->State;
-    const vtkMTInputFragment::Layout layout{ this->Regions->GetTriangleSize(), this->Regions->GetPointSize(),
-      input.GetPointTupleSizes(), input.GetCellTupleSizes(), this->MakesNormals };
-    vtkMTSpoolStore& store = *this->Settings.Store;
-    const std::size_t memory = this->Settings.SortMemory / 8;
-    this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);
-    this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory);
-    if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
-      !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
-    {
-      return false;
-    }
-    std::vector<Making> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
-    std::uint64_t done = 0;
-    const bool made = this->ForAllRegions(
-      [&](std::size_t region, std::size_t slot, std::string& error)
-      {
-        slots[slot] = Making();
-        const bool taken = this->Regions->Take(static_cast<std::uint32_t>(region), slots[slot].Records);
-        error = taken ? error : this->Regions->GetError();
-        return taken;
-      },
-      [&](std::size_t region, std::size_t slot, std::string&)
-      {
-        Making& making = slots[slot];
-        making.Fragment.Make(static_cast<std::uint32_t>(region), std::move(making.Records), layout);
-        making.Barycentres = vtkMTBarycentreSpool::GetBarycentres(making.Fragment.Mesh);
-        return true;
-      },
-      [&](std::size_t region, std::size_t slot, std::string& error)
-      {
-        done += slots[slot].Barycentres.size();
-        return this->PutMade(region, slots[slot], error) && this->Continue("making fragments", done);
-      });
-    return made && this->Fragments.Seal(this->Error) && state.Barycentres.Seal(this->Error);
-  }
-
-  bool PutMade(std::size_t region, Making& making, std::string& error)
-  {
-    if (making.Fragment.Mesh.Triangles.empty())
-    {
-      return true;
-    }
-    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Pieces))
-    {
-      error = this->Orientation->GetError();
-      return false;
-    }
-    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Pieces))
-    {
-      error = this->Normals->GetError();
-      return false;
-    }
-    Bytes mesh;
-    Bytes orientation;
-    making.Fragment.Encode(mesh, orientation);
-    return this->Fragments.Put(region, mesh.data(), mesh.size(), error) &&
-      this->Fragments.Put(region, orientation.data(), orientation.size(), error) &&
-      this->State->Barycentres.Put(making.Barycentres, error);
-  }
-
-  //----------------------------------------------------------------------------
-  // And that
-  struct Finishing
-  {
-    vtkMTInputFragment Fragment;
-    std::vector<std::array<float, 3>> SharedNormals;
-    Bytes Record;
-  };
-
-  bool FinishFragments()
-  {
-    vtkMTBuildState& state = *this->State;
-    this->Regions.reset();
-    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation))
-    {
-      return this->Fail(this->Orientation->GetError() + this->Normals->GetError());
-    }
-    Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetReversedTriangles());
-    Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNonOrientableTriangles());
-    if (!state.Fragments.Begin(
-          *this->Settings.Store, vtkMTBuildState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
-    {
-      return false;
-    }
-    std::vector<Finishing> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
-    std::uint64_t done = 0;
-    const bool finished = this->ForAllRegions([&](std::size_t region, std::size_t slot, std::string& error)
-      { return this->Fetch(static_cast<std::uint32_t>(region), slots[slot], error); },
-      [&](std::size_t, std::size_t slot, std::string&)
-      {
-        this->Finish(slots[slot]);
-        return true;
-      },
-      [&](std::size_t region, std::size_t slot, std::string& error)
-      {
-        done += slots[slot].Fragment.Mesh.Triangles.size();
-        const Bytes& record = slots[slot].Record;
-        return (record.empty() || state.Fragments.Put(region, record.data(), record.size(), error)) &&
-          this->Continue("finishing fragments", done);
-      });
-    this->Fragments.Remove();
-    state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTBuildState::None);
-    return finished && state.Fragments.Seal(this->Error);
-  }
-
-  bool Fetch(std::uint32_t region, Finishing& finishing, std::string& error)
-  {
-    finishing = Finishing();
-    std::vector<Bytes> records;
-    if (!this->Fragments.Take(region, records, error))
-    {
-      return false;
-    }
-    if (records.size() == 2 && !finishing.Fragment.Decode(records[0], records[1], error))
-    {
-      return false;
-    }
-    finishing.SharedNormals.resize(finishing.Fragment.Mesh.Ids.size());
-    const bool taken =
-      !this->MakesNormals || this->Normals->Take(region, finishing.Fragment.Mesh, finishing.SharedNormals);
-    error = taken ? error : this->Normals->GetError();
-    return taken;
-  }
-
-  void Finish(Finishing& finishing) const
-  {
-    vtkMTInputFragment& fragment = finishing.Fragment;
-    if (fragment.Mesh.Triangles.empty())
-    {
-      return;
-    }
-    fragment.TurnRound(*this->Orientation);
-    if (this->MakesNormals)
-    {
-      std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(fragment.Mesh);
-      std::copy(finishing.SharedNormals.begin(), finishing.SharedNormals.end(), normals.begin());
-      fragment.AddNormals(normals);
-    }
-    vtkMTRegionStep::AppendReachOfInput(fragment.Mesh);
-    vtkMTPatchRecord::Encode(fragment.Mesh, finishing.Record);
-  }
-
-  bool ForAllRegions(
-    const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
-  {
-    std::string error;
-    const bool done = vtkMTOrderedWork::Run(this->NumberOfRegions, this->Settings.Threads, fetch, work, take, error);
-    this->Error = error.empty() ? this->Error : error;
-    return done;
-  }
-
   const vtkMTBuildSettings& Settings;
   vtkMTBuildState* State = nullptr;
   bool MakesNormals = false;
+  vtkMTArrayInfo Exact; // of use when exact points are asked for
   std::uint32_t NumberOfRegions = 0;
   std::unique_ptr<vtkMTInputRegions> Regions;
-  std::unique_ptr<vtkMTOrientation> Orientation;
-  std::unique_ptr<vtkMTSharedNormals> Normals;
-  vtkMTRecordSpool Fragments; // by region, with their orientation
 };
 
 vtkMTInputMesh::vtkMTInputMesh(const vtkMTBuildSettings& settings)

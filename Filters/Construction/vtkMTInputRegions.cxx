@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputRegions.h"
 
+#include "vtkMTExactPoints.h"
 #include "vtkMTInputSpool.h"
 #include "vtkMTRadixSort.h"
 #include "vtkMTStitch.h"
@@ -30,12 +31,13 @@ Value Read(const unsigned char* bytes)
 }
 
 vtkMTInputRegions::vtkMTInputRegions(
-  const vtkMTBuildSettings& settings, const vtkMTInputSpool& input, std::size_t memory)
+  const vtkMTBuildSettings& settings, const vtkMTInputSpool& input, const vtkMTArrayInfo* exact, std::size_t memory)
   : Settings(settings)
   , Input(input)
-  , ValueSize(input.GetValueSize())
+  , Exact(exact)
+  , ValueSize(input.GetValueSize() + (exact ? exact->GetTupleSize() : 0))
   , TriangleSize(sizeof(Triangle) + Sum(input.GetCellTupleSizes()))
-  , PointSize(sizeof(Point) + input.GetValueSize())
+  , PointSize(sizeof(Point) + ValueSize)
   , Triangles(*settings.Store, TriangleSize, memory / 4)
   , Requests(*settings.Store, sizeof(std::uint64_t), memory / 4)
   , Stitched(*settings.Store, PointSize, memory / 4)
@@ -140,7 +142,13 @@ bool vtkMTInputRegions::AddPoint(std::uint32_t point, const std::vector<std::uin
   const bool isStitched = root != vtkMTStitch::None;
   vtkMTRecordSort& sort = isStitched ? this->Stitched : this->Points;
   Point record{ 0, point, point, lattice.Snap(place.data()), regions.size() > 1 ? 1u : 0u };
-  std::memcpy(this->Record.data() + sizeof(record), vtkMTInputSpool::GetValues(bytes), this->ValueSize);
+  unsigned char* values = this->Record.data() + sizeof(record);
+  std::memcpy(values, vtkMTInputSpool::GetValues(bytes), this->Input.GetValueSize());
+  if (this->Exact)
+  {
+    vtkMTExactPoints::Encode(
+      *this->Exact, lattice, record.X, vtkMTInputSpool::GetExactPlace(bytes), values + this->Input.GetValueSize());
+  }
   for (const std::uint32_t region : regions)
   {
     record.Key = isStitched ? (std::uint64_t(root) << 32) | region : (std::uint64_t(region) << 32) | point;

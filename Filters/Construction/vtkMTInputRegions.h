@@ -53,8 +53,9 @@ public:
     std::vector<unsigned char> Points;
   };
 
-  /// memory: bytes, for all sorts together.
-  vtkMTInputRegions(const vtkMTBuildSettings& settings, const vtkMTInputSpool& input, std::size_t memory);
+  /// exact: null, or the array that is to be made behind the points' values. memory: bytes, for all sorts together.
+  vtkMTInputRegions(
+    const vtkMTBuildSettings& settings, const vtkMTInputSpool& input, const vtkMTArrayInfo* exact, std::size_t memory);
   ~vtkMTInputRegions();
 
   std::size_t GetTriangleSize() const { return this->TriangleSize; } ///< bytes of a triangle with its values
@@ -81,7 +82,8 @@ private:
 
   const vtkMTBuildSettings& Settings;
   const vtkMTInputSpool& Input;
-  const std::size_t ValueSize;
+  const vtkMTArrayInfo* const Exact;
+  const std::size_t ValueSize; // with that of the exact points
   const std::size_t TriangleSize;
   const std::size_t PointSize;
   std::string Error;

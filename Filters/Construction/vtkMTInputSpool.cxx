@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputSpool.h"
 
+#include "vtkMTExactPoints.h"
 #include "vtkMTRecordSort.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTTriangleStream.h"
 
 #include <algorithm>
@@ -71,6 +73,17 @@ Place vtkMTInputSpool::GetPlace(const unsigned char* record)
 {
   Place place;
   std::memcpy(place.data(), record, sizeof(place));
+  for (double& coordinate : place)
+  {
+    coordinate += 0.0; // minus zero is zero: the same place
+  }
+  return place;
+}
+
+Place vtkMTInputSpool::GetExactPlace(const unsigned char* record)
+{
+  Place place;
+  std::memcpy(place.data(), record, sizeof(place));
   return place;
 }
 
@@ -92,11 +105,18 @@ bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
   vtkMTRecordSort places(*this->Settings.Store, sizeof(PlaceRecord), memory);
   {
     vtkMTRecordSort requests(*this->Settings.Store, sizeof(std::uint64_t), memory);
-    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests) || !this->FindPlaces(requests, places))
+    const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
+    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests))
+    {
+      return false;
+    }
+    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
+    if (!this->FindPlaces(requests, places))
     {
       return false;
     }
   }
+  const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
   return this->CheckBlocks(places, visit);
 }
 
@@ -120,9 +140,9 @@ bool vtkMTInputSpool::LoadPoints(vtkMTTriangleStream& stream)
     unsigned char* to = records.data();
     for (std::size_t i = 0; i < block.Points.size(); ++i)
     {
-      for (double& coordinate : block.Points[i])
+      for (const double coordinate : block.Points[i])
       {
-        coordinate += 0.0; // minus zero is zero: the same place
+        this->Single = this->Single && vtkMTExactPoints::IsSingle(coordinate);
       }
       std::memcpy(to, block.Points[i].data(), sizeof(Place));
       to += sizeof(Place);

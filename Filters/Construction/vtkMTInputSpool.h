@@ -38,6 +38,7 @@ public:
 
   std::uint64_t GetNumberOfPoints() const { return this->Points; }
   std::uint64_t GetNumberOfTriangles() const { return this->Triangles; } ///< those that are kept
+  bool IsSingle() const { return this->Single; }                         ///< all coordinates are floats
   std::uint64_t GetInputTriangles() const { return this->InputTriangles; }
   const std::map<std::string, std::int64_t>& GetReport() const { return this->Report; } ///< triangles dropped
 
@@ -70,6 +71,7 @@ public:
   };
 
   static vtkMTInputBlock::Place GetPlace(const unsigned char* record);
+  static vtkMTInputBlock::Place GetExactPlace(const unsigned char* record); ///< with the sign of zeros
   static const unsigned char* GetValues(const unsigned char* record) { return record + sizeof(vtkMTInputBlock::Place); }
   /// Bytes of all values of a point together.
   std::size_t GetValueSize() const { return this->RecordSize - sizeof(vtkMTInputBlock::Place); }
@@ -103,6 +105,7 @@ private:
   std::uint64_t Points = 0;
   std::uint64_t Triangles = 0;
   std::uint64_t InputTriangles = 0;
+  bool Single = true;
   std::map<std::string, std::int64_t> Report;
   Test IsLeftOut;
 };

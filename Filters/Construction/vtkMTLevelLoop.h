@@ -4,11 +4,12 @@
  * @brief the construction itself: from the fragments of a mesh on the lattice to patches in a sink and their DAG
  *
  * BMT section 4. Mesh M_0 is the input. On every level i the fragments of the regions of Psi_i together are the mesh
- * M_i. One turn of the loop places the regions of Psi_(i+1) by the barycentres of M_i, splits the fragments into the
- * patches of the crossing (each patch is an arc from the node of its Psi_(i+1) region to that of its Psi_i region, or
- * to the sink), puts the patches of each Psi_(i+1) region together as a floor and simplifies it to half its triangles:
- * M_(i+1). The loop ends when one region is left with no more triangles than a patch should have, or when two turns in
- * a row removed less than a tenth of the triangles; the last fragments are the arcs that leave the source.
+ * M_i. One turn of the loop (vtkMTSplitStep, vtkMTSimplifyStep) places the regions of Psi_(i+1) by the barycentres of
+ * M_i, splits the fragments into the patches of the crossing (each patch is an arc from the node of its Psi_(i+1)
+ * region to that of its Psi_i region, or to the sink), puts the patches of each Psi_(i+1) region together as a floor
+ * and simplifies it to half its triangles: M_(i+1). The loop ends when one region is left with no more triangles than a
+ * patch should have, or when two turns in a row removed less than a tenth of the triangles; the last fragments are the
+ * arcs that leave the source.
  *
  * Memory: fragments and patches are in spools, and only those that are worked on are in memory. What grows with the
  * mesh is a few dozen bytes per region and the DAG's records.
@@ -35,9 +36,6 @@ class vtkMTPatchSink;
 class VTKMTCONSTRUCTION_EXPORT vtkMTLevelLoop
 {
 public:
-  /// Elements of a crossing below this share of the wanted patch are merged into a neighbour.
-  static constexpr double SliverShare = 0.1;
-
   /// identity: kept in every checkpoint; ReadCheckpoint gives it back.
   vtkMTLevelLoop(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, const std::string& identity);
   ~vtkMTLevelLoop();

@@ -28,8 +28,8 @@ vtkMTMemoryPlan::vtkMTMemoryPlan(const vtkMTTriangleStream& input, const vtkMTBu
 {
   const double triangles = static_cast<double>(input.GetNumberOfTriangles());
   const double points = static_cast<double>(input.GetNumberOfPoints());
-  double pointValues = 12.0; // normals
-  double cellValues = 16.0;  // ids and reach
+  double pointValues = 12.0 + (settings.ExactPoints ? 24.0 : 0.0); // normals and residuals
+  double cellValues = 16.0;                                        // ids and reach
   for (const vtkMTArrayInfo& array : input.GetArrays())
   {
     (array.Association == vtkMTArrayInfo::Point ? pointValues : cellValues) +=

@@ -9,7 +9,7 @@ namespace
 {
 bool IsZero(const vtkMTColumn& column)
 {
-  return std::all_of(column.begin(), column.end(), [](unsigned char byte) { return byte == 0; });
+  return !column.empty() && std::all_of(column.begin(), column.end(), [](unsigned char byte) { return byte == 0; });
 }
 
 void PutColumns(vtkMTBytes::Writer& writer, const std::vector<vtkMTColumn>& columns)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchSplitter.h"
 
+#include "vtkMTBorderOrder.h"
+
 #include <algorithm>
 #include <cstring>
 #include <numeric>
@@ -75,6 +77,38 @@ void FindShared(const vtkMTPatch& fragment, const Groups& groups, std::vector<un
       }
     }
   }
+}
+
+// Identities of what became shared, numbered along the borders of the groups in their order.
+std::vector<std::uint64_t> MakeIds(const vtkMTPatch& fragment, const Groups& groups,
+  const std::vector<unsigned char>& isShared, std::uint32_t level, std::uint32_t region)
+{
+  std::vector<std::uint64_t> ids = fragment.Ids;
+  ids.resize(fragment.Points.size(), 0);
+  std::vector<unsigned char> isNew(fragment.Points.size());
+  for (std::size_t p = fragment.Ids.size(); p < ids.size(); ++p)
+  {
+    isNew[p] = isShared[p];
+  }
+  std::uint32_t next = 0;
+  const auto number = [&](std::uint32_t p)
+  {
+    if (isNew[p])
+    {
+      ids[p] = vtkMTPatchSplitter::MakeId(level, region, next++);
+      isNew[p] = 0;
+    }
+  };
+  for (std::size_t g = 0; g < groups.Regions.size(); ++g)
+  {
+    const std::vector<std::uint32_t> border = vtkMTBorderOrder::Find(fragment, groups.GetTriangles(g));
+    std::for_each(border.begin(), border.end(), number);
+  }
+  for (std::uint32_t p = 0; p < ids.size(); ++p)
+  {
+    number(p); // where the groups meet in single points
+  }
+  return ids;
 }
 }
 
@@ -160,15 +194,7 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
   std::vector<unsigned char> isShared(fragment.Points.size(), 0);
   std::fill(isShared.begin(), isShared.begin() + static_cast<std::ptrdiff_t>(fragment.Ids.size()), 1);
   FindShared(fragment, groups, isShared);
-  std::vector<std::uint64_t> ids = fragment.Ids;
-  ids.resize(fragment.Points.size(), 0);
-  for (std::size_t p = fragment.Ids.size(); p < ids.size(); ++p)
-  {
-    if (isShared[p])
-    {
-      ids[p] = MakeId(level, fragmentRegion, static_cast<std::uint32_t>(p));
-    }
-  }
+  const std::vector<std::uint64_t> ids = MakeIds(fragment, groups, isShared, level, fragmentRegion);
   const auto pointTupleSizes = GetTupleSizes(fragment.PointColumns, fragment.GetNumberOfWedges());
   const auto cellTupleSizes = GetTupleSizes(fragment.CellColumns, fragment.Triangles.size());
   std::vector<std::uint32_t> scratch(fragment.GetNumberOfWedges() + fragment.Points.size(), None);

@@ -4,8 +4,8 @@
  * @brief cuts one region's fragment into the patches of the crossing with the next partition
  *
  * Identity: points that the fragment shares with other fragments have their ids already (they come first in the
- * fragment); points that the cut makes shared get new ones, unique by level, region and index within the fragment.
- * Everything else stays without.
+ * fragment); points that the cut makes shared get new ones, unique by level, region and a number within the fragment,
+ * which runs along the borders of the patches (vtkMTBorderOrder). Everything else stays without.
  */
 #ifndef vtkMTPatchSplitter_h
 #define vtkMTPatchSplitter_h
@@ -33,10 +33,11 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchSplitter
     std::uint32_t level, std::uint32_t fragmentRegion);
 
   ///@{
-  /// Ids: the level's and the region's where the point became shared, or the input's for points shared from the start.
-  static std::uint64_t MakeId(std::uint32_t level, std::uint32_t region, std::uint32_t point)
+  /// Ids: the level's and the region's where the point became shared; for those that are shared from the start,
+  /// InputLevel and the first region that has them (vtkMTSharedIds). Until these are known: the input's number.
+  static std::uint64_t MakeId(std::uint32_t level, std::uint32_t region, std::uint32_t number)
   {
-    return (std::uint64_t(level) << 58) | (std::uint64_t(region) << 32) | point;
+    return (std::uint64_t(level) << 58) | (std::uint64_t(region) << 32) | number;
   }
   static constexpr std::uint32_t InputLevel = 62;
   static std::uint64_t MakeInputId(std::uint64_t point) { return (std::uint64_t(InputLevel) << 58) | point; }

@@ -7,6 +7,7 @@
 #include "vtkMTDeviation.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTSimplifier.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTSurface.h"
 
 #include "vtkType.h"
@@ -213,10 +214,14 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
   this->HasFullySharedBorder = HasBorderOfFinerRegions(floor, locked, context.FloorLevel);
   vtkMTSimplification simplification;
   const std::size_t target = std::max<std::size_t>(1, floor.Triangles.size() / 2);
-  if (!context.Simplifier->Simplify(floor, locked, target, simplification, error))
   {
-    return false;
+    const vtkMTStageTimes::Scope simplify(vtkMTStageTimes::Simplify);
+    if (!context.Simplifier->Simplify(floor, locked, target, simplification, error))
+    {
+      return false;
+    }
   }
+  const vtkMTStageTimes::Scope certify(vtkMTStageTimes::Certify);
   this->Fragment = MakeFragment(simplification, locked, floor);
   relation.Heirs = std::move(simplification.Heirs);
   const vtkMTPoint origin = GetMiddle(floor);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationBuilder.h"
 
+#include "vtkMTBuildProgress.h"
 #include "vtkMTBuildState.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTEdgeCollapse.h"
@@ -30,17 +31,6 @@ vtkStandardNewMacro(vtkMultiTriangulationBuilder);
 
 namespace
 {
-std::string Describe(const vtkMTBuildSettings::ProgressReport& report)
-{
-  std::string text = "level " + std::to_string(report.Level) + ", " + report.Step;
-  if (report.Triangles > 0)
-  {
-    text += ": " + std::to_string(report.Triangles);
-    text += report.OfTriangles > 0 ? " of " + std::to_string(report.OfTriangles) : "";
-  }
-  return text;
-}
-
 /// The number of threads of the parallel loops that the calling thread comes to, while this lives: partitions have no
 /// number of their own.
 class ThreadCount
@@ -63,6 +53,7 @@ private:
 vtkMultiTriangulationBuilder::vtkMultiTriangulationBuilder()
   : PartitionStrategy(vtkSmartPointer<vtkMTVoronoiPartition>::New())
   , Simplifier(vtkSmartPointer<vtkMTEdgeCollapse>::New())
+  , StageTimes(std::make_unique<vtkMTStageTimes>())
 {
 }
 
@@ -111,6 +102,7 @@ bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchS
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->Aborted = false;
+  this->StageTimes = std::make_unique<vtkMTStageTimes>();
   this->UpdateProgress(0.0);
   this->HasCheckpoint = false;
   vtkMTMemorySpoolStore memory;
@@ -169,6 +161,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.LatticeBits = this->LatticeBits;
   settings.MakeNormals = this->MakeNormals;
   settings.KeepFarOutliers = this->KeepFarOutliers;
+  settings.ExactPoints = this->ExactPoints;
   settings.Partition = this->PartitionStrategy;
   settings.Simplifier = this->Simplifier;
   settings.Threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : omp_get_max_threads();
@@ -185,10 +178,12 @@ bool vtkMultiTriangulationBuilder::Configure(
 {
   settings = this->MakeSettings();
   settings.Store = &store;
-  settings.Progress = [this](const vtkMTBuildSettings::ProgressReport& report)
+  settings.Times = this->StageTimes.get();
+  settings.Progress = [this, progress = vtkMTBuildProgress()](const vtkMTBuildSettings::ProgressReport& report) mutable
   {
-    this->SetProgressText(Describe(report).c_str());
-    this->UpdateProgress(report.Fraction);
+    progress.Update(report);
+    this->SetProgressText(progress.GetText().c_str());
+    this->UpdateProgress(progress.GetFraction());
     return !vtkMTIsAborted(this);
   };
   const vtkMTMemoryPlan plan(input, settings);
@@ -256,8 +251,8 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
   }
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
     " bits, normals " + (this->MakeNormals ? "made" : "not made") +
-    (this->KeepFarOutliers ? ", far outliers kept" : "") + "; " + this->PartitionStrategy->GetSettings() + "; " +
-    this->Simplifier->GetSettings();
+    (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") + "; " +
+    this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
 }
 
 int vtkMultiTriangulationBuilder::FillOutputPortInformation(int, vtkInformation* info)
@@ -315,6 +310,7 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InputIdentity: " << this->InputIdentity << "\n";
   os << indent << "HasCheckpoint: " << (this->HasCheckpoint ? "yes" : "no") << "\n";
   os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
+  os << indent << "ExactPoints: " << (this->ExactPoints ? "on" : "off") << "\n";
   os << indent << "PartitionStrategy: " << this->PartitionStrategy->GetSettings() << "\n";
   os << indent << "Simplifier: " << this->Simplifier->GetSettings() << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";

@@ -1,98 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTExtraction.h"
 
+#include "vtkMTArcBounds.h"
+#include "vtkMTArcViews.h"
+#include "vtkMTFrameTimer.h"
+#include "vtkMTFrustum.h"
 #include "vtkMTGraph.h"
 #include "vtkMTView.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <queue>
 #include <sstream>
 
 namespace
 {
-constexpr double NotWanted = -std::numeric_limits<double>::infinity();
-
-struct ArcBounds
-{
-  double Box[6];
-  std::array<double, 3> Center;
-  double Radius;
-
-  ArcBounds(const vtkMTGraph& graph, const vtkMTArc& arc)
-  {
-    graph.Lattice.ToWorld(arc.Box, this->Box);
-    double square = 0.0;
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Center[i] = 0.5 * (this->Box[2 * i] + this->Box[2 * i + 1]);
-      const double half = 0.5 * (this->Box[2 * i + 1] - this->Box[2 * i]);
-      square += half * half;
-    }
-    // Rounding must not make the sphere smaller than the box.
-    this->Radius = std::sqrt(square) * (1.0 + 1e-12);
-  }
-
-  bool IsVisible(const vtkMTView& view) const
-  {
-    return view.IsSphereVisible(this->Center, this->Radius) && view.IsBoxVisible(this->Box);
-  }
-
-  /// Of the box that reaches farther by that much on every side.
-  bool IsVisibleGrown(const vtkMTView& view, double by) const
-  {
-    double grown[6];
-    for (int i = 0; i < 3; ++i)
-    {
-      grown[2 * i] = this->Box[2 * i] - by;
-      grown[2 * i + 1] = this->Box[2 * i + 1] + by;
-    }
-    return view.IsSphereVisible(this->Center, this->Radius + 2.0 * by) && view.IsBoxVisible(grown);
-  }
-};
-
-double ChosenError(const vtkMTNode& node, vtkMTExtraction::ErrorChoiceType choice)
-{
-  return choice == vtkMTExtraction::EdgeLength ? node.EdgeLength : node.Error;
-}
+constexpr double NotWanted = vtkMTArcViews::NotWanted;
 }
 
-// What is known of the arcs that a call has looked at; kept between calls so that a frame costs as much as its cut, not
-// as much as its graph.
+// Kept between calls so that a frame costs as much as its cut, not as much as its graph.
 struct vtkMTExtraction::Scratch
 {
-  struct ArcView
-  {
-    bool Drawn = true;
-    double Wanted = NotWanted; // the error that refining the arc's node would remedy
-    double Certified = 0.0;    // pixels
-  };
-
-  std::vector<ArcView> Views;
-  std::vector<std::uint32_t> ViewOfArc; // 1 + index in Views; 0 while nobody has looked
-  std::vector<std::uint32_t> TouchedArcs;
+  vtkMTArcViews Views;
   std::vector<unsigned char> Marks; // nodes of the closure at hand; all zero between uses
   std::vector<double> Wanted;       // per node, the error with which it was last put into the heap
   std::vector<std::uint32_t> TouchedNodes;
 
-  void Begin(const vtkMTGraph& graph)
+  void Begin(const Input& input, const Settings& settings)
   {
-    for (const std::uint32_t arc : this->TouchedArcs)
-    {
-      this->ViewOfArc[arc] = 0;
-    }
     for (const std::uint32_t node : this->TouchedNodes)
     {
       this->Wanted[node] = NotWanted;
     }
-    this->Views.clear();
-    this->TouchedArcs.clear();
     this->TouchedNodes.clear();
-    this->ViewOfArc.resize(graph.Arcs.size(), 0);
-    this->Marks.resize(graph.Nodes.size(), 0);
-    this->Wanted.resize(graph.Nodes.size(), NotWanted);
+    this->Marks.resize(input.Graph->Nodes.size(), 0);
+    this->Wanted.resize(input.Graph->Nodes.size(), NotWanted);
+    this->Views.Begin(*input.Graph, input.View, settings);
   }
 };
 
@@ -101,14 +43,12 @@ class vtkMTExtraction::Worker
 public:
   Worker(const Input& input, const Settings& settings, Scratch& memory)
     : Graph(*input.Graph)
-    , Eye(input.View)
     , Resident(input.Resident)
-    , Options(settings)
-    , Threshold(input.View ? settings.PixelError : settings.ModelError)
+    , Timer(settings)
     , Memory(memory)
     , Out(*input.Graph)
   {
-    this->Memory.Begin(this->Graph);
+    this->Memory.Begin(input, settings);
   }
 
   Result Run()
@@ -117,7 +57,6 @@ public:
     {
       this->RefinedNodes.push_back(this->Graph.GetSource());
       this->EnterLeaving(this->Graph.GetSource());
-      this->Out.WithinBudget = this->Fits(this->Out.Triangles);
       this->Refine();
       this->Finish();
     }
@@ -137,11 +76,6 @@ public:
     if (!this->Graph.IsEmpty())
     {
       this->Finish();
-      for (const std::uint32_t arc : this->Out.Arcs)
-      {
-        this->Out.Triangles += this->Graph.Arcs[arc].Triangles;
-      }
-      this->Out.WithinBudget = this->Fits(this->Out.Triangles);
     }
     return std::move(this->Out);
   }
@@ -157,48 +91,7 @@ private:
     }
   };
 
-  bool Fits(std::uint64_t triangles) const
-  {
-    return this->Options.TriangleBudget == 0 || triangles <= this->Options.TriangleBudget;
-  }
-
-  const Scratch::ArcView& Look(std::uint32_t arc)
-  {
-    std::uint32_t& known = this->Memory.ViewOfArc[arc];
-    if (known == 0)
-    {
-      this->Memory.TouchedArcs.push_back(arc);
-      this->Memory.Views.push_back(this->MakeView(this->Graph.Arcs[arc]));
-      known = static_cast<std::uint32_t>(this->Memory.Views.size());
-    }
-    return this->Memory.Views[known - 1];
-  }
-
-  Scratch::ArcView MakeView(const vtkMTArc& arc) const
-  {
-    Scratch::ArcView view;
-    const vtkMTNode& node = this->Graph.Nodes[arc.To];
-    const double error = ChosenError(node, this->Options.ErrorChoice);
-    if (!this->Eye)
-    {
-      view.Wanted = error;
-      return view;
-    }
-    const ArcBounds bounds(this->Graph, arc);
-    const bool visible = bounds.IsVisible(*this->Eye);
-    view.Drawn = visible || !this->Options.FrustumCulling;
-    // What the patch stands for may reach into the frustum where the patch itself does not.
-    if (visible || bounds.IsVisibleGrown(*this->Eye, node.Error))
-    {
-      view.Certified = this->Eye->GetPixelError(bounds.Center, bounds.Radius, node.Error);
-      view.Wanted = this->Options.ErrorChoice == Distance
-        ? view.Certified
-        : this->Eye->GetPixelError(bounds.Center, bounds.Radius, error);
-    }
-    return view;
-  }
-
-  bool IsDrawn(std::uint32_t arc) { return this->Look(arc).Drawn; }
+  bool IsDrawn(std::uint32_t arc) { return this->Memory.Views.Look(arc).IsDrawn(); }
 
   bool IsResident(std::uint32_t arc) const { return !this->Resident || (*this->Resident)[arc] != 0; }
 
@@ -216,15 +109,16 @@ private:
     const vtkMTArc& record = this->Graph.Arcs[arc];
     if (this->IsDrawn(arc))
     {
-      this->Out.Triangles += record.Triangles;
+      this->Triangles += record.Triangles;
+      this->Bytes += this->Memory.Views.GetBytes(record);
     }
     if (record.To == this->Graph.GetSink())
     {
       return;
     }
-    const double error = this->Look(arc).Wanted;
+    const double error = this->Memory.Views.Look(arc).Wanted;
     double& wanted = this->Memory.Wanted[record.To];
-    if (error > this->Threshold && error > wanted)
+    if (error > this->Memory.Views.GetThreshold() && error > wanted)
     {
       if (wanted == NotWanted)
       {
@@ -268,8 +162,8 @@ private:
   /// Whether the closure at hand may be refined: enough budget, and all that it would draw is resident.
   bool IsFeasible(double error)
   {
-    std::uint64_t added = 0;
-    std::uint64_t removed = 0;
+    std::uint64_t triangles = this->Triangles;
+    std::uint64_t bytes = this->Bytes;
     this->Missing.clear();
     for (const std::uint32_t node : this->Closure)
     {
@@ -278,7 +172,8 @@ private:
       {
         if (!this->Memory.Marks[this->Graph.Arcs[arc].To] && this->IsDrawn(arc))
         {
-          added += this->Graph.Arcs[arc].Triangles;
+          triangles += this->Graph.Arcs[arc].Triangles;
+          bytes += this->Memory.Views.GetBytes(this->Graph.Arcs[arc]);
           if (!this->IsResident(arc))
           {
             this->Missing.push_back({ arc, error });
@@ -290,11 +185,13 @@ private:
         const std::uint32_t arc = this->Graph.Entering[k];
         if (!this->Memory.Marks[this->Graph.Arcs[arc].From] && this->IsDrawn(arc))
         {
-          removed += this->Graph.Arcs[arc].Triangles;
+          triangles -= this->Graph.Arcs[arc].Triangles;
+          bytes -= this->Memory.Views.GetBytes(this->Graph.Arcs[arc]);
         }
       }
     }
-    if (added > removed && !this->Fits(this->Out.Triangles + added - removed))
+    // What does not grow is never refused: where the coarsest cut is above a budget, only that brings it below.
+    if (!this->Memory.Views.Fits(triangles > this->Triangles ? triangles : 0, bytes > this->Bytes ? bytes : 0))
     {
       return false;
     }
@@ -329,7 +226,8 @@ private:
       const std::uint32_t arc = this->Graph.Entering[k];
       if (this->IsDrawn(arc))
       {
-        this->Out.Triangles -= this->Graph.Arcs[arc].Triangles;
+        this->Triangles -= this->Graph.Arcs[arc].Triangles;
+        this->Bytes -= this->Memory.Views.GetBytes(this->Graph.Arcs[arc]);
       }
     }
     this->Out.Cut.Refine(node);
@@ -345,6 +243,12 @@ private:
     {
       while (!this->Heap.empty())
       {
+        if (this->Timer.IsOver())
+        {
+          this->Out.Complete = false;
+          this->ForgetRefined();
+          return;
+        }
         const Candidate candidate = this->Heap.top();
         this->Heap.pop();
         const bool outdated =
@@ -378,42 +282,9 @@ private:
 
   void Finish()
   {
-    for (const std::uint32_t node : this->RefinedNodes)
-    {
-      const vtkMTNode& record = this->Graph.Nodes[node];
-      for (std::uint32_t arc = record.FirstOut; arc < record.FirstOut + record.OutCount; ++arc)
-      {
-        if (!this->Out.Cut.IsRefined(this->Graph.Arcs[arc].To))
-        {
-          this->Report(arc);
-        }
-      }
-    }
-    std::sort(this->Out.Arcs.begin(), this->Out.Arcs.end());
-    this->Out.NodesRefined = this->RefinedNodes.size() - 1; // the source is always refined
+    this->Memory.Views.Report(this->Out.Cut, this->RefinedNodes, this->Out);
     this->Out.Postponed = this->Postponed.size();
     this->SortRequests();
-  }
-
-  void Report(std::uint32_t arc)
-  {
-    const vtkMTArc& record = this->Graph.Arcs[arc];
-    const vtkMTNode& node = this->Graph.Nodes[record.To];
-    ++this->Out.ArcsInCut;
-    this->Out.ModelError = std::max(this->Out.ModelError, node.Error);
-    this->Out.PixelError = std::max(this->Out.PixelError, this->Look(arc).Certified);
-    if (record.To != this->Graph.GetSink() && this->Look(arc).Wanted > this->Threshold)
-    {
-      this->Out.Converged = false;
-    }
-    if (this->IsDrawn(arc))
-    {
-      this->Out.Arcs.push_back(arc);
-    }
-    else
-    {
-      ++this->Out.ArcsCulled;
-    }
   }
 
   void SortRequests()
@@ -429,11 +300,11 @@ private:
   }
 
   const vtkMTGraph& Graph;
-  const vtkMTView* Eye;
   const std::vector<unsigned char>* Resident;
-  const Settings& Options;
-  const double Threshold;
+  vtkMTFrameTimer Timer;
   Scratch& Memory;
+  std::uint64_t Triangles = 0; // of what is drawn of the cut as it is
+  std::uint64_t Bytes = 0;
   Result Out;
   std::priority_queue<Candidate> Heap;
   std::vector<Candidate> Postponed; // the largest error first
@@ -448,6 +319,11 @@ vtkMTExtraction::vtkMTExtraction()
 }
 
 vtkMTExtraction::~vtkMTExtraction() = default;
+
+vtkMTArcViews& vtkMTExtraction::GetViews()
+{
+  return this->Memory->Views;
+}
 
 vtkMTExtraction::Result vtkMTExtraction::Extract(const Input& input, const Settings& settings)
 {
@@ -516,11 +392,12 @@ bool vtkMTExtraction::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkM
 double vtkMTExtraction::GetPixelError(
   const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice)
 {
-  const ArcBounds bounds(graph, graph.Arcs[arc]);
-  return view.GetPixelError(bounds.Center, bounds.Radius, ChosenError(graph.Nodes[graph.Arcs[arc].To], choice));
+  const vtkMTArcBounds bounds(graph, graph.Arcs[arc]);
+  const vtkMTNode& node = graph.Nodes[graph.Arcs[arc].To];
+  return view.GetPixelError(bounds.Center, bounds.Radius, choice == EdgeLength ? node.EdgeLength : node.Error);
 }
 
 bool vtkMTExtraction::IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc)
 {
-  return ArcBounds(graph, graph.Arcs[arc]).IsVisible(view);
+  return vtkMTFrustum(view).IsVisible(vtkMTArcBounds(graph, graph.Arcs[arc]));
 }

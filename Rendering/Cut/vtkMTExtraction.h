@@ -16,6 +16,12 @@
  * whose box lies outside is not drawn and does not count against the budget. Without a view the error is the node's
  * own, in model units, and every arc counts.
  *
+ * Patches that face away, where they are left out (FacingCulling), are refined like those that do not: what they stand
+ * for may face the eye where they do not.
+ *
+ * Extraction can be stopped before any operation: by a TimeBudget, read off a Clock that tests can give. What has been
+ * refined until then is a conforming cut within the budgets, the largest errors having been remedied first.
+ *
  * The result depends on the arguments alone. The object keeps scratch memory between calls, so use one object per
  * thread.
  */
@@ -27,10 +33,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+class vtkMTArcViews;
 class vtkMTGraph;
 struct vtkMTView;
 
@@ -52,9 +60,21 @@ public:
     /// Triangles drawn at most; 0, the default, is no limit. Where the coarsest cut has more, it is drawn all the same
     /// and the result is not WithinBudget.
     std::uint64_t TriangleBudget = 0;
+    /// Bytes on the GPU of the patches drawn at most, a patch counting BytesPerVertex for each wedge and
+    /// BytesPerTriangle for each triangle; 0, the default, is no limit. The coarsest cut is an exception as above.
+    std::uint64_t ByteBudget = 0;
+    std::uint32_t BytesPerVertex = 12;
+    std::uint32_t BytesPerTriangle = 12;
+    /// Seconds from the beginning of the call after which no further operation is begun; 0, the default, is no limit.
+    double TimeBudget = 0.0;
+    /// Gives seconds, from any origin on; none: a steady clock.
+    std::function<double()> Clock;
     ErrorChoiceType ErrorChoice = Distance;
     /// Whether patches outside the frustum are left out. Refinement follows the frustum in either case. Default on.
     bool FrustumCulling = true;
+    /// Whether patches all of whose triangles are seen from behind are left out, by their normal cones. Default off:
+    /// right only where the back of a triangle is not drawn.
+    bool FacingCulling = false;
   };
 
   /// What extraction works on.
@@ -83,16 +103,21 @@ public:
     vtkMTCut Cut;
     std::vector<std::uint32_t> Arcs; ///< to draw, ascending
     std::uint64_t Triangles = 0;     ///< of Arcs
+    std::uint64_t Bytes = 0;         ///< of Arcs on the GPU
     /// With a view: upper bound, in pixels, of how far anything in the picture is from where the input would put it; it
     /// is the certified distance whatever ErrorChoice says, and infinite where the camera is inside a patch's error.
     double PixelError = 0.0;
     double ModelError = 0.0; ///< the cut's largest certified distance to the input, model units
     bool Converged = true;   ///< nothing that can be seen is above the threshold
     bool WithinBudget = true;
+    bool Complete = true; ///< not stopped by the TimeBudget
 
     std::size_t NodesRefined = 0;
     std::size_t ArcsInCut = 0;
-    std::size_t ArcsCulled = 0;    ///< by the frustum
+    std::size_t ArcsCulled = 0;     ///< by the frustum
+    std::size_t ArcsFacingAway = 0; ///< of the others, left out for that
+    std::uint64_t TrianglesCulled = 0;
+    std::uint64_t TrianglesFacingAway = 0;
     std::size_t Operations = 0;    ///< refinements tried
     std::size_t Postponed = 0;     ///< refinements wanted that did not fit or were not resident
     std::vector<Request> Requests; ///< the largest error first
@@ -132,8 +157,10 @@ public:
   ///@}
 
 private:
+  friend class vtkMTCutFollower;
   class Worker;
   struct Scratch;
+  vtkMTArcViews& GetViews();
   std::unique_ptr<Scratch> Memory;
 };
 

@@ -8,13 +8,34 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace
 {
-bool IsSame(const vtkMTExtraction::Settings& a, const vtkMTExtraction::Settings& b)
+// Clocks are not compared: they do not change what is asked for. Nor are bytes, see FitsAsWell.
+bool IsSame(const vtkMTCutFollower::Settings& a, const vtkMTCutFollower::Settings& b)
 {
-  return a.PixelError == b.PixelError && a.TriangleBudget == b.TriangleBudget && a.ErrorChoice == b.ErrorChoice &&
-    a.FrustumCulling == b.FrustumCulling;
+  return a.PixelError == b.PixelError && a.TriangleBudget == b.TriangleBudget && a.TimeBudget == b.TimeBudget &&
+    a.ErrorChoice == b.ErrorChoice && a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling &&
+    a.UploadBudget == b.UploadBudget && a.Prefetch == b.Prefetch && a.Wait == b.Wait;
+}
+
+// Whether a cut is also what other sizes of vertices and triangles, or another budget of bytes, ask for.
+bool FitsAsWell(const vtkMTGraph& graph, const vtkMTCutFollower::Result& result,
+  const vtkMTCutFollower::Settings& before, const vtkMTCutFollower::Settings& now)
+{
+  if (before.ByteBudget == now.ByteBudget && before.BytesPerVertex == now.BytesPerVertex &&
+    before.BytesPerTriangle == now.BytesPerTriangle)
+  {
+    return true;
+  }
+  std::uint64_t bytes = 0;
+  for (const std::uint32_t arc : result.Arcs)
+  {
+    bytes += std::uint64_t(graph.Arcs[arc].Wedges) * now.BytesPerVertex +
+      std::uint64_t(graph.Arcs[arc].Triangles) * now.BytesPerTriangle;
+  }
+  return result.Converged && (now.ByteBudget == 0 || bytes <= now.ByteBudget);
 }
 }
 
@@ -26,6 +47,7 @@ bool vtkMTCutKeeper::SetSource(const std::shared_ptr<const vtkMTPatchSource>& so
   }
   this->Source = source;
   this->All.clear();
+  this->Gone.clear();
   this->Last.reset();
   this->Resident.assign(source ? source->GetGraph().Arcs.size() : 0, 1);
   this->ReadableRevision = 0;
@@ -34,6 +56,13 @@ bool vtkMTCutKeeper::SetSource(const std::shared_ptr<const vtkMTPatchSource>& so
 
 vtkMTCutKeeper::Kept& vtkMTCutKeeper::Find(vtkRenderer* renderer)
 {
+  for (const Kept& kept : this->All)
+  {
+    if (kept.Renderer == nullptr)
+    {
+      this->Gone.push_back(kept.Follower.get());
+    }
+  }
   this->All.remove_if([](const Kept& kept) { return kept.Renderer == nullptr; });
   auto found = std::find_if(
     this->All.begin(), this->All.end(), [renderer](const Kept& kept) { return kept.Renderer == renderer; });
@@ -41,34 +70,85 @@ vtkMTCutKeeper::Kept& vtkMTCutKeeper::Find(vtkRenderer* renderer)
   {
     found = this->All.emplace(this->All.end());
     found->Renderer = renderer;
+    found->Follower = std::make_unique<vtkMTCutFollower>();
+    // The address may be that of a view that is no more.
+    this->Gone.erase(std::remove(this->Gone.begin(), this->Gone.end(), found->Follower.get()), this->Gone.end());
   }
   return *found;
 }
 
-const vtkMTExtraction::Result& vtkMTCutKeeper::Update(
-  vtkRenderer* renderer, const vtkMTView& view, const vtkMTExtraction::Settings& settings, bool freeze)
+const vtkMTCutFollower::Result& vtkMTCutKeeper::Update(
+  vtkRenderer* renderer, const Frame& frame, const vtkMTPatchCache& cache)
 {
   Kept& kept = this->Find(renderer);
   // A patch that turns out unreadable would leave a hole in a frozen cut.
-  const bool keepCut = freeze && kept.Result && kept.Readable == this->ReadableRevision;
-  if (!kept.Result || kept.Frozen != keepCut || kept.Readable != this->ReadableRevision ||
-    !IsSame(kept.Settings, settings) || !vtkMTRendererView::IsSame(kept.View, view))
+  const bool keepCut = frame.Freeze && kept.Result && kept.Readable == this->ReadableRevision;
+  const bool same = kept.Result && kept.Frozen == keepCut && kept.Readable == this->ReadableRevision &&
+    IsSame(kept.Settings, frame.Settings) && vtkMTRendererView::IsSame(kept.View, frame.View) &&
+    FitsAsWell(this->Source->GetGraph(), *kept.Result, kept.Settings, frame.Settings);
+  const bool settled = kept.Frozen || (kept.Result && kept.Result->OnTarget);
+  if (!same || (frame.Advance && !settled))
   {
-    const auto start = std::chrono::steady_clock::now();
-    vtkMTExtraction::Input input;
-    input.Graph = &this->Source->GetGraph();
-    input.View = &view;
-    input.Resident = this->ReadableRevision > 0 ? &this->Resident : nullptr;
-    kept.Result = std::make_shared<vtkMTExtraction::Result>(
-      keepCut ? this->Extraction.View(kept.Result->Cut, input, settings) : this->Extraction.Extract(input, settings));
-    kept.View = view;
-    kept.Settings = settings;
-    kept.Frozen = keepCut;
-    kept.Readable = this->ReadableRevision;
-    this->CutTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    this->Compute(kept, frame, keepCut, cache);
   }
   this->Last = kept.Result;
   return *kept.Result;
+}
+
+void vtkMTCutKeeper::Compute(Kept& kept, const Frame& frame, bool keepCut, const vtkMTPatchCache& cache)
+{
+  const auto start = std::chrono::steady_clock::now();
+  vtkMTCutFollower::Input input;
+  input.Graph = &this->Source->GetGraph();
+  input.View = &frame.View;
+  input.Resident = this->ReadableRevision > 0 ? &this->Resident : nullptr;
+  input.GetState = [&](std::uint32_t arc)
+  {
+    return frame.IsUploaded(arc) ? vtkMTCutFollower::Uploaded
+      : cache.Has(arc)           ? vtkMTCutFollower::Loaded
+                                 : vtkMTCutFollower::Absent;
+  };
+  if (keepCut)
+  {
+    auto seen = std::make_shared<vtkMTCutFollower::Result>(kept.Follower->View(input, frame.Settings));
+    seen->Wants = kept.Result->Wants;
+    kept.Result = std::move(seen);
+  }
+  else
+  {
+    kept.Result = std::make_shared<vtkMTCutFollower::Result>(kept.Follower->Update(input, frame.Settings));
+  }
+  kept.Posted = false;
+  kept.View = frame.View;
+  kept.Settings = frame.Settings;
+  kept.Frozen = keepCut;
+  kept.Readable = this->ReadableRevision;
+  this->CutTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void vtkMTCutKeeper::Post(vtkMTPatchCache& cache)
+{
+  for (const void* view : this->Gone)
+  {
+    cache.Forget(view);
+  }
+  this->Gone.clear();
+  for (Kept& kept : this->All)
+  {
+    if (kept.Result && !kept.Posted)
+    {
+      kept.Posted = true;
+      cache.SetWants(kept.Follower.get(), kept.Result->Wants);
+    }
+  }
+}
+
+void vtkMTCutKeeper::Invalidate()
+{
+  for (Kept& kept : this->All)
+  {
+    kept.Readable = kept.Result == this->Last ? ~std::uint64_t(0) : kept.Readable;
+  }
 }
 
 bool vtkMTCutKeeper::MarkUnreadable(std::uint32_t arc)

@@ -4,17 +4,20 @@
  * @brief one cut per renderer and view: what is drawn, kept while nothing changes
  *
  * Every pass of a frame (opaque, translucent, depth peeling, selection) asks again; as long as view and settings are
- * the same, so is the answer, without work. Patches that cannot be read count as not resident, so the coarser ones stay
- * in the cut.
+ * the same, so is the answer, without work. From frame to frame a cut that is not what the view asks for yet moves
+ * towards it as patches arrive (vtkMTCutFollower). Patches that cannot be read count as not there for good, so the
+ * coarser ones stay in the cut.
  */
 #ifndef vtkMTCutKeeper_h
 #define vtkMTCutKeeper_h
 
-#include "vtkMTExtraction.h"
+#include "vtkMTCutFollower.h"
+#include "vtkMTPatchCache.h"
 #include "vtkMTView.h"
 #include "vtkWeakPointer.h"
 
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <vector>
@@ -25,19 +28,35 @@ class vtkRenderer;
 class vtkMTCutKeeper
 {
 public:
+  struct Frame
+  {
+    vtkMTView View;
+    vtkMTCutFollower::Settings Settings;
+    bool Freeze = false;  ///< the cut that the renderer had before, seen from the new view
+    bool Advance = false; ///< a new frame, not a further pass of one: the cut may move though the view is the same
+    /// Whether an arc's patch is on the GPU.
+    std::function<bool(std::uint32_t arc)> IsUploaded;
+  };
+
   /// Forgets all cuts when the source is another one.
   bool SetSource(const std::shared_ptr<const vtkMTPatchSource>& source);
   const std::shared_ptr<const vtkMTPatchSource>& GetSource() const { return this->Source; }
 
-  /// What to draw. With `freeze`, the cut that the renderer had before, seen from the new view.
-  const vtkMTExtraction::Result& Update(
-    vtkRenderer* renderer, const vtkMTView& view, const vtkMTExtraction::Settings& settings, bool freeze);
+  /// What to draw.
+  const vtkMTCutFollower::Result& Update(vtkRenderer* renderer, const Frame& frame, const vtkMTPatchCache& cache);
+
+  /// Tells the cache what the renderers want, if that is another thing than before. At the end of a frame.
+  void Post(vtkMTPatchCache& cache);
+
+  /// The next Update looks for the last one's cut again: something that it took for being there is not.
+  void Invalidate();
 
   /// True the first time.
   bool MarkUnreadable(std::uint32_t arc);
+  bool IsUnreadable(std::uint32_t arc) const { return this->Resident[arc] == 0; }
 
   /// What Update gave last, or null.
-  const vtkMTExtraction::Result* GetLast() const { return this->Last.get(); }
+  const vtkMTCutFollower::Result* GetLast() const { return this->Last.get(); }
   /// Seconds that the last new cut took.
   double GetCutTime() const { return this->CutTime; }
 
@@ -46,20 +65,23 @@ private:
   {
     vtkWeakPointer<vtkRenderer> Renderer;
     vtkMTView View;
-    vtkMTExtraction::Settings Settings;
+    vtkMTCutFollower::Settings Settings;
     bool Frozen = false;
     std::uint64_t Readable = 0;
-    std::shared_ptr<vtkMTExtraction::Result> Result;
+    std::unique_ptr<vtkMTCutFollower> Follower;
+    std::shared_ptr<vtkMTCutFollower::Result> Result;
+    bool Posted = true; // the cache knows what the result wants
   };
 
   Kept& Find(vtkRenderer* renderer);
+  void Compute(Kept& kept, const Frame& frame, bool keepCut, const vtkMTPatchCache& cache);
 
   std::shared_ptr<const vtkMTPatchSource> Source;
-  vtkMTExtraction Extraction;
   std::list<Kept> All;
+  std::vector<const void*> Gone; // views whose renderer is no more
   std::vector<unsigned char> Resident;
   std::uint64_t ReadableRevision = 0;
-  std::shared_ptr<vtkMTExtraction::Result> Last;
+  std::shared_ptr<vtkMTCutFollower::Result> Last;
   double CutTime = 0.0;
 };
 

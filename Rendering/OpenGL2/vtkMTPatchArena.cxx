@@ -154,7 +154,9 @@ vtkMTPatchArena::Slot* vtkMTPatchArena::Use(std::uint32_t arc, std::uint32_t ver
 
 bool vtkMTPatchArena::IsStale(const Slot& slot, int stream) const
 {
-  return slot.Revisions[stream] != this->Streams[stream]->Revision;
+  // A slot that has not been used since the stream was declared knows nothing of it.
+  return static_cast<std::size_t>(stream) >= slot.Revisions.size() ||
+    slot.Revisions[stream] != this->Streams[stream]->Revision;
 }
 
 bool vtkMTPatchArena::Upload(Slot& slot, int index, const std::vector<unsigned char>& data)

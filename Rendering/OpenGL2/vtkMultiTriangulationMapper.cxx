@@ -28,17 +28,6 @@ vtkMultiTriangulation* GetModel(vtkDataObject* input)
   vtkMultiTriangulation* model = vtkMultiTriangulation::SafeDownCast(input);
   return model && model->GetSource() && !model->GetSource()->GetGraph().IsEmpty() ? model : nullptr;
 }
-
-// Whether the patch can be drawn as what its arc says: OpenGL checks no index.
-bool IsSound(const vtkMTPatch& patch, const vtkMTArc& arc)
-{
-  const std::size_t wedges = patch.GetNumberOfWedges();
-  const std::size_t points = patch.Points.size();
-  return wedges == arc.Wedges && patch.Triangles.size() == arc.Triangles &&
-    std::all_of(patch.WedgePoints.begin(), patch.WedgePoints.end(), [points](std::uint32_t i) { return i < points; }) &&
-    std::all_of(patch.Triangles.begin(), patch.Triangles.end(),
-      [wedges](const vtkMTTriangle& t) { return t[0] < wedges && t[1] < wedges && t[2] < wedges; });
-}
 }
 
 vtkStandardNewMacro(vtkMultiTriangulationMapper);
@@ -67,6 +56,12 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TriangleBudget: " << this->TriangleBudget << "\n";
   os << indent << "ErrorChoice: " << (this->ErrorChoice == DISTANCE ? "Distance" : "EdgeLength") << "\n";
   os << indent << "FrustumCulling: " << this->FrustumCulling << "\n";
+  os << indent << "FacingCulling: " << this->FacingCulling << "\n";
+  os << indent << "WaitForConvergence: " << this->WaitForConvergence << "\n";
+  os << indent << "UploadLimit: " << this->UploadLimit << "\n";
+  os << indent << "CutTimeLimit: " << this->CutTimeLimit << "\n";
+  os << indent << "Prefetch: " << this->Prefetch << "\n";
+  os << indent << "NumberOfLoaderThreads: " << this->NumberOfLoaderThreads << "\n";
   os << indent << "FreezeCut: " << this->FreezeCut << "\n";
   os << indent << "ColorBy: " << this->ColorBy << "\n";
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
@@ -75,6 +70,10 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Triangles: " << this->Triangles << "\n";
   os << indent << "Patches: " << this->Patches << "\n";
   os << indent << "CulledPatches: " << this->CulledPatches << "\n";
+  os << indent << "CulledTriangles: " << this->CulledTriangles << "\n";
+  os << indent << "FacingAwayPatches: " << this->FacingAwayPatches << "\n";
+  os << indent << "FacingAwayTriangles: " << this->FacingAwayTriangles << "\n";
+  os << indent << "Loading: " << this->Loading << "\n";
   os << indent << "RefinedNodes: " << this->RefinedNodes << "\n";
   os << indent << "AchievedPixelError: " << this->AchievedPixelError << "\n";
   os << indent << "Converged: " << this->Converged << "\n";
@@ -91,6 +90,12 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetTriangleBudget(other->GetTriangleBudget());
     this->SetErrorChoice(other->GetErrorChoice());
     this->SetFrustumCulling(other->GetFrustumCulling());
+    this->SetFacingCulling(other->GetFacingCulling());
+    this->SetWaitForConvergence(other->GetWaitForConvergence());
+    this->SetUploadLimit(other->GetUploadLimit());
+    this->SetCutTimeLimit(other->GetCutTimeLimit());
+    this->SetPrefetch(other->GetPrefetch());
+    this->SetNumberOfLoaderThreads(other->GetNumberOfLoaderThreads());
     this->SetFreezeCut(other->GetFreezeCut());
     this->SetColorBy(other->GetColorBy());
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
@@ -209,15 +214,15 @@ void vtkMultiTriangulationMapper::FollowInput()
   {
     self.Cut = nullptr;
     self.Arena.Clear();
-    self.Vertices = 0;
     self.Triangles = 0;
     for (std::size_t i = 0; source && i < source->GetGraph().Arcs.size(); ++i)
     {
-      self.Vertices += source->GetGraph().Arcs[i].Wedges;
       self.Triangles += source->GetGraph().Arcs[i].Triangles;
     }
     self.ColorState.Clear();
-    self.Cache = source ? std::make_unique<vtkMTPatchCache>(source) : nullptr;
+    vtkMTPatchLoader::Settings loader;
+    loader.Threads = this->NumberOfLoaderThreads;
+    self.Cache = source ? std::make_unique<vtkMTPatchCache>(source, vtkMTPatchCache::DefaultLimit, loader) : nullptr;
   }
   if (self.DrewPatches != (source != nullptr))
   {
@@ -307,10 +312,12 @@ void vtkMultiTriangulationMapper::UpdateBufferObjects(vtkRenderer* renderer, vtk
   this->MeasureRate(actor);
   this->Implementation->Streams.Apply(this->Implementation->Plan, this->Implementation->Arena);
   this->Implementation->LessTriangles = 0;
+  this->UpdateCache(renderer, actor);
   do
   {
     this->UpdateCut(renderer, actor);
   } while (!this->UpdatePatches());
+  this->Implementation->Keeper.Post(*this->Implementation->Cache);
   this->UpdateCellTextures(renderer);
 }
 
@@ -339,22 +346,21 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
 void vtkMultiTriangulationMapper::UpdateCut(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& self = *this->Implementation;
-  vtkMTExtraction::Settings settings;
-  settings.PixelError = this->PixelError;
-  settings.TriangleBudget = this->GetTriangleLimit(actor);
-  settings.ErrorChoice = this->ErrorChoice == EDGE_LENGTH ? vtkMTExtraction::EdgeLength : vtkMTExtraction::Distance;
-  settings.FrustumCulling = this->FrustumCulling && !vtkMTRendererView::IsStereo(renderer);
-  self.View = vtkMTRendererView::Make(renderer, actor);
-  // A frozen cut that does not fit cannot stay.
+  this->FillFrame(renderer, actor);
+  self.View = self.Frame.View;
   const vtkMTExtraction::Result* before = self.Keeper.GetLast();
-  self.Cut = &self.Keeper.Update(renderer, self.View, settings, this->FreezeCut && self.LessTriangles == 0);
+  self.Cut = &self.Keeper.Update(renderer, self.Frame, *self.Cache);
   this->NumberOfCuts += self.Cut != before;
   this->UpdateOrigin(renderer, actor);
 
   this->Triangles = static_cast<vtkIdType>(self.Cut->Triangles);
   this->Patches = static_cast<vtkIdType>(self.Cut->Arcs.size());
   this->CulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
+  this->CulledTriangles = static_cast<vtkIdType>(self.Cut->TrianglesCulled);
+  this->FacingAwayPatches = static_cast<vtkIdType>(self.Cut->ArcsFacingAway);
+  this->FacingAwayTriangles = static_cast<vtkIdType>(self.Cut->TrianglesFacingAway);
   this->RefinedNodes = static_cast<vtkIdType>(self.Cut->NodesRefined);
+  this->Loading = !self.Cut->OnTarget;
   this->AchievedPixelError = self.Cut->PixelError;
   this->Converged = self.Cut->Converged;
   this->CutTime = self.Keeper.GetCutTime();
@@ -387,56 +393,53 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
 {
   Internals& self = *this->Implementation;
   const vtkMTGraph& graph = self.Graph();
-  self.Cache->SetArrays(self.Streams.GetArrays(graph));
-  if (self.Cache->GetLimit() != static_cast<std::size_t>(this->PatchMemoryLimit))
-  {
-    self.Cache->SetLimit(static_cast<std::size_t>(this->PatchMemoryLimit));
-    self.Cache->Retry();
-  }
-
-  std::uint64_t vertices = 0;
-  for (const std::uint32_t arc : self.Cut->Arcs)
-  {
-    vertices += graph.Arcs[arc].Wedges;
-  }
-  self.Arena.SetLimit(this->GetGraphicsLimit());
-  self.Arena.BeginFrame(vertices, self.Cut->Triangles);
-  const vtkMTPatchStreams::Mapping mapping = [this](
-                                               int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
-  { this->MapPatchScalars(array, patch, bytes); };
+  this->BeginUpload();
   bool complete = true;
-  for (const std::uint32_t arc : self.Cut->Arcs)
+  for (std::size_t i = 0; i < self.Cut->Arcs.size(); ++i)
   {
+    const std::uint32_t arc = self.Cut->Arcs[i];
     const vtkMTArc& record = graph.Arcs[arc];
     vtkMTPatchArena::Slot* slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
     if (!slot && self.Cut->NodesRefined > 0)
     {
-      // Patches are more uneven than the limit on triangles takes them to be.
-      self.LessTriangles = self.Cut->Triangles - self.Cut->Triangles / 8;
+      this->DrawLess();
       return false;
     }
     if (!slot || !self.Streams.IsStale(self.Arena, *slot))
     {
       continue;
     }
-    self.Cache->Request({ arc });
-    const vtkMTPatchCache::PatchPointer patch = self.Cache->Get(arc);
-    if (!patch || !IsSound(*patch, record) || !self.Streams.Upload(self.Arena, *slot, graph, *patch, mapping))
+    const std::shared_ptr<const vtkMTPatch> patch = this->FetchPatch(i);
+    if (!patch && !self.Cache->IsFailed(arc) && !self.Wait && record.From != graph.GetSource())
+    {
+      // It was there when the cut was found: the arena has dropped it since, or more of it is wanted now.
+      self.Arena.Drop(arc);
+      self.Keeper.Invalidate();
+      return false;
+    }
+    if (!patch || !this->UploadPatch(arc, *patch))
     {
       self.Arena.Drop(arc);
-      if (self.Keeper.MarkUnreadable(arc))
-      {
-        complete = false;
-        for (const vtkMTPatchCache::Failure& failure : self.Cache->TakeFailures())
-        {
-          vtkErrorMacro(<< self.Keeper.GetSource()->GetName() << ": " << failure.What);
-        }
-        if (patch)
-        {
-          vtkErrorMacro(<< self.Keeper.GetSource()->GetName() << ": patch " << arc << " is not what the graph says");
-        }
-      }
+      complete = !this->GiveUp(arc) && complete;
     }
   }
+  this->UploadEarlyPatches();
+  if (complete && self.Cut->NodesRefined > 0 && !this->IsUploaded())
+  {
+    this->DrawLess();
+    return false;
+  }
   return complete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::UploadPatch(std::uint32_t arc, const vtkMTPatch& patch)
+{
+  Internals& self = *this->Implementation;
+  const vtkMTArc& record = self.Graph().Arcs[arc];
+  vtkMTPatchArena::Slot* slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
+  return slot &&
+    self.Streams.Upload(self.Arena, *slot, self.Graph(), patch,
+      [this](int array, const vtkMTPatch& each, std::vector<unsigned char>& bytes)
+      { this->MapPatchScalars(array, each, bytes); });
 }

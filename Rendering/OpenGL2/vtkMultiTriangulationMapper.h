@@ -4,10 +4,10 @@
  * @brief draws a Multi-Triangulation, as finely as the view needs
  *
  * A mapper for any vtkActor. In every frame it finds the cut that shows the model within a given number of pixels of
- * error (see vtkMTExtraction; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), reads the patches that
- * it lacks, and draws them with the shaders of vtkOpenGLPolyDataMapper: property, lights, scalar colouring, textures,
- * clipping planes, edges, translucency and picking are VTK's own. All passes of a frame that look through the same
- * camera share one cut.
+ * error (see vtkMTExtraction and vtkMTCutFollower; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), has
+ * loader threads read the patches that it lacks (vtkMTPatchCache), and draws them with the shaders of
+ * vtkOpenGLPolyDataMapper: property, lights, scalar colouring, textures, clipping planes, edges, translucency and
+ * picking are VTK's own. All passes of a frame that look through the same camera share one cut.
  *
  * Input is a vtkMultiTriangulation with a patch source. Any other vtkPolyData is drawn as vtkPolyDataMapper draws it.
  *
@@ -36,6 +36,7 @@
 #include "vtkOpenGLPolyDataMapper.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory> // For std::unique_ptr
 #include <vector>
@@ -67,6 +68,62 @@ public:
   vtkGetMacro(TriangleBudget, vtkIdType);
   ///@}
 
+  enum WaitForConvergenceType
+  {
+    WAIT_NEVER = 0,
+    WAIT_ALWAYS = 1,
+    WAIT_WHEN_STILL = 2
+  };
+
+  ///@{
+  /**
+   * Whether a frame waits until everything that it needs is there. WAIT_NEVER: it draws what is there, the coarsest
+   * patches at least, while loader threads bring the rest; GetLoading says whether another frame would be better.
+   * WAIT_ALWAYS: for pictures and tests, which then do not depend on timing. WAIT_WHEN_STILL, the default: it waits
+   * unless the window asks for a frame rate, as an interactor does while the camera moves (DesiredUpdateRate of 0.01
+   * frames per second or more). On and Off mean ALWAYS and NEVER. Other values are clamped. A frozen cut is waited for.
+   */
+  vtkSetClampMacro(WaitForConvergence, int, WAIT_NEVER, WAIT_WHEN_STILL);
+  vtkGetMacro(WaitForConvergence, int);
+  vtkBooleanMacro(WaitForConvergence, int);
+  ///@}
+
+  ///@{
+  /**
+   * Bytes that a frame which does not wait sends to the GPU at most, the coarsest patches not counted: the cut is
+   * refined by no more patches than that. 0 is no limit; default 16 MiB; negative values are clamped to 0. It should be
+   * a few times what the largest patch takes: a patch that takes more is not drawn in such a frame.
+   */
+  vtkSetClampMacro(UploadLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(UploadLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds after which a frame that does not wait stops looking for a better cut and draws the one that it has. 0 is
+   * no limit; default 0.01; negative values are clamped to 0.
+   */
+  vtkSetClampMacro(CutTimeLimit, double, 0.0, 1e9);
+  vtkGetMacro(CutTimeLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether patches around the cut are loaded when there is nothing more urgent: coarser ones, finer ones and those
+   * just outside the view. Default on. Only in windows that have an interactor, or in frames that do not wait:
+   * otherwise nobody will move the camera while they come.
+   */
+  vtkSetMacro(Prefetch, bool);
+  vtkGetMacro(Prefetch, bool);
+  vtkBooleanMacro(Prefetch, bool);
+  ///@}
+
+  ///@{
+  /// Threads that read and decode patches, from the next input on. Default 2; clamped to [1, 64].
+  vtkSetClampMacro(NumberOfLoaderThreads, int, 1, 64);
+  vtkGetMacro(NumberOfLoaderThreads, int);
+  ///@}
+
   enum ErrorChoiceType
   {
     DISTANCE = 0,
@@ -92,6 +149,16 @@ public:
   vtkSetMacro(FrustumCulling, bool);
   vtkGetMacro(FrustumCulling, bool);
   vtkBooleanMacro(FrustumCulling, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether patches that are seen from behind in all their triangles are left out, where the property's BackfaceCulling
+   * is on and surfaces are drawn. Default on. Off costs time and changes no pixel. In stereo everything is drawn.
+   */
+  vtkSetMacro(FacingCulling, bool);
+  vtkGetMacro(FacingCulling, bool);
+  vtkBooleanMacro(FacingCulling, bool);
   ///@}
 
   ///@{
@@ -125,8 +192,9 @@ public:
 
   ///@{
   /**
-   * Bytes of patches that are kept in main memory once they are on the GPU. Default 512 MiB; negative values are
-   * clamped to 0. A patch larger than the limit is not drawn, its coarser one is, and an error is reported.
+   * Bytes of patches in main memory, those that are being loaded included: never more. Default 512 MiB; negative values
+   * are clamped to 0. A patch that does not fit the limit while it is read is not drawn, its coarser one is, and an
+   * error is reported.
    */
   vtkSetClampMacro(PatchMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(PatchMemoryLimit, vtkIdType);
@@ -160,16 +228,22 @@ public:
   /**
    * Figures of the last frame. AchievedPixelError bounds, in pixels, how far anything in the picture is from where the
    * input would put it, whatever ErrorChoice says; it is infinite where the camera is closer to the surface than the
-   * error. Converged: nothing that can be seen is above PixelError. Times are seconds: CutTime of the last new cut;
-   * FrameTime of the mapper's part of the frame, reading and upload included, until the last command was given to
-   * OpenGL.
+   * error. Converged: nothing that can be seen is above PixelError. Loading: the picture is not yet what the settings
+   * ask for, so another frame may be a better one; it stays so where PatchMemoryLimit has no room for what is missing.
+   * CulledPatches and CulledTriangles were left out for being outside the frustum, FacingAwayPatches and
+   * FacingAwayTriangles for being seen from behind. Times are seconds: CutTime of the last new cut; FrameTime of the
+   * mapper's part of the frame, reading and upload included, until the last command was given to OpenGL.
    */
   vtkGetMacro(Triangles, vtkIdType);
   vtkGetMacro(Patches, vtkIdType);
   vtkGetMacro(CulledPatches, vtkIdType);
+  vtkGetMacro(CulledTriangles, vtkIdType);
+  vtkGetMacro(FacingAwayPatches, vtkIdType);
+  vtkGetMacro(FacingAwayTriangles, vtkIdType);
   vtkGetMacro(RefinedNodes, vtkIdType);
   vtkGetMacro(AchievedPixelError, double);
   vtkGetMacro(Converged, bool);
+  vtkGetMacro(Loading, bool);
   vtkGetMacro(CutTime, double);
   vtkGetMacro(FrameTime, double);
   ///@}
@@ -184,6 +258,10 @@ public:
   /// Patches read, and bytes sent to the GPU, since the input was set.
   vtkIdType GetNumberOfReads();
   vtkIdType GetNumberOfUploadedBytes();
+  /// The most that PatchMemoryLimit has had to count so far, and the longest time, in seconds, that the loader's lock
+  /// took from a frame.
+  vtkIdType GetMostPatchMemory();
+  double GetLongestLock();
   ///@}
 
   /**
@@ -241,11 +319,23 @@ private:
   void UpdateColorRevision();
   void MapPatchScalars(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes);
   void ForgetColors();
+  void UpdateCache(vtkRenderer* renderer, vtkActor* actor);
+  bool IsNewFrame(vtkRenderer* renderer, vtkActor* actor);
+  bool WaitsFor(vtkRenderer* renderer);
+  bool LeavesOutWhatFacesAway(vtkRenderer* renderer, vtkActor* actor);
+  void FillFrame(vtkRenderer* renderer, vtkActor* actor);
+  std::shared_ptr<const vtkMTPatch> FetchPatch(std::size_t index);
+  bool GiveUp(std::uint32_t arc);
+  bool UploadPatch(std::uint32_t arc, const vtkMTPatch& patch);
+  void UploadEarlyPatches();
+  void BeginUpload();
+  bool IsUploaded();
+  void DrawLess();
+  void ReportFailures();
   void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
   bool UpdatePatches();
   std::uint64_t GetTriangleLimit(vtkActor* actor);
   std::uint64_t GetTrianglesOfTime(double seconds);
-  std::uint64_t GetTrianglesOfMemory();
   std::uint64_t GetGraphicsLimit();
   void MeasureRate(vtkActor* actor);
   void UpdateCellTextures(vtkRenderer* renderer);
@@ -263,6 +353,12 @@ private:
   vtkIdType TriangleBudget = 0;
   int ErrorChoice = DISTANCE;
   bool FrustumCulling = true;
+  bool FacingCulling = true;
+  int WaitForConvergence = WAIT_WHEN_STILL;
+  vtkIdType UploadLimit = vtkIdType(16) << 20;
+  double CutTimeLimit = 0.01;
+  bool Prefetch = true;
+  int NumberOfLoaderThreads = 2;
   bool FreezeCut = false;
   int ColorBy = NONE;
   vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
@@ -272,9 +368,13 @@ private:
   vtkIdType Triangles = 0;
   vtkIdType Patches = 0;
   vtkIdType CulledPatches = 0;
+  vtkIdType CulledTriangles = 0;
+  vtkIdType FacingAwayPatches = 0;
+  vtkIdType FacingAwayTriangles = 0;
   vtkIdType RefinedNodes = 0;
   double AchievedPixelError = 0.0;
   bool Converged = false;
+  bool Loading = false;
   vtkIdType NumberOfCuts = 0;
   double CutTime = 0.0;
   double FrameTime = 0.0;

@@ -35,8 +35,7 @@ std::uint64_t vtkMultiTriangulationMapper::GetTriangleLimit(vtkActor* actor)
 {
   const std::uint64_t budget = this->TriangleBudget > 0 ? static_cast<std::uint64_t>(this->TriangleBudget) : Unlimited;
   const std::uint64_t retry = this->Implementation->LessTriangles > 0 ? this->Implementation->LessTriangles : Unlimited;
-  const std::uint64_t least = std::min(
-    { budget, retry, this->GetTrianglesOfTime(actor->GetAllocatedRenderTime()), this->GetTrianglesOfMemory() });
+  const std::uint64_t least = std::min({ budget, retry, this->GetTrianglesOfTime(actor->GetAllocatedRenderTime()) });
   return least == Unlimited ? 0 : std::max<std::uint64_t>(least, 1);
 }
 
@@ -64,17 +63,6 @@ std::uint64_t vtkMultiTriangulationMapper::GetGraphicsLimit()
   }
   return std::max(
     static_cast<std::uint64_t>(this->GraphicsMemoryLimit), self.Arena.GetBytesOf(vertices, graph.GetRootTriangles()));
-}
-
-//------------------------------------------------------------------------------
-// Of patches as large as those of the model are on average. What is left of the limit is for uneven ones, for patches
-// that are not drawn now, and for the copies while the arena grows.
-std::uint64_t vtkMultiTriangulationMapper::GetTrianglesOfMemory()
-{
-  const Internals& self = *this->Implementation;
-  const auto bytes = static_cast<double>(self.Arena.GetBytesOf(self.Vertices, self.Triangles));
-  const double share = 0.75 * static_cast<double>(this->GetGraphicsLimit()) / std::max(bytes, 1.0);
-  return share < 1.0 ? static_cast<std::uint64_t>(share * static_cast<double>(self.Triangles)) : Unlimited;
 }
 
 //------------------------------------------------------------------------------

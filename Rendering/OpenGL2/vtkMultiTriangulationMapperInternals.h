@@ -35,12 +35,13 @@ struct vtkMultiTriangulationMapper::Internals
   bool DrewPatches = false;
 
   vtkMTView View;
-  const vtkMTExtraction::Result* Cut = nullptr;
+  const vtkMTCutFollower::Result* Cut = nullptr;
+  vtkMTCutKeeper::Frame Frame;
+  bool Wait = false;                             // this frame waits for what it draws
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;
 
-  std::uint64_t Vertices = 0; // of all patches of the source
-  std::uint64_t Triangles = 0;
+  std::uint64_t Triangles = 0;     // of all patches of the source
   vtkOpenGLRenderTimer Timer;      // of draw calls, on the GPU
   double DrawSeconds = 0.0;        // of this frame's draw calls so far, all passes
   double MeasuredRate = 0.0;       // triangles per second

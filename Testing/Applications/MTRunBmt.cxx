@@ -11,6 +11,7 @@
 #include <thread>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -58,6 +59,11 @@ void WaitForHandler(pid_t child)
       setenv(entry.substr(0, equals).c_str(), entry.c_str() + equals + 1, 1);
     }
   }
+  if (options.LargestFile > 0)
+  {
+    const rlimit limit{ options.LargestFile, options.LargestFile };
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
   dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
   dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
   std::vector<char*> argv{ const_cast<char*>(BMT_EXECUTABLE) };
@@ -71,7 +77,7 @@ void WaitForHandler(pid_t child)
 }
 
 /// Ends without a signal when the child has ended.
-void InterruptWhen(pid_t child, const std::function<bool()>& condition)
+void SignalWhen(pid_t child, const std::function<bool()>& condition, int signal)
 {
   siginfo_t ended{};
   while (!condition())
@@ -82,7 +88,7 @@ void InterruptWhen(pid_t child, const std::function<bool()>& condition)
       return;
     }
   }
-  kill(child, SIGINT);
+  kill(child, signal);
 }
 }
 
@@ -124,12 +130,12 @@ MTRun MTBmtTest::Bmt(const std::vector<std::string>& arguments, const MTRunOptio
   {
     WaitForHandler(child);
     std::this_thread::sleep_for(std::chrono::milliseconds(options.InterruptAfterMilliseconds));
-    kill(child, SIGINT);
+    kill(child, options.Signal);
   }
   int status = 0;
   if (options.InterruptWhen)
   {
-    InterruptWhen(child, options.InterruptWhen);
+    SignalWhen(child, options.InterruptWhen, options.Signal);
   }
   while (waitpid(child, &status, 0) < 0 && errno == EINTR)
   {

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -29,6 +31,8 @@ struct MTRunOptions
   std::vector<std::string> Environment; ///< NAME=VALUE, or NAME to take it away
   int InterruptAfterMilliseconds = -1;  ///< send SIGINT so long after the program is up
   std::function<bool()> InterruptWhen;  ///< send SIGINT as soon as this is true; asked every millisecond
+  int Signal = SIGINT;                  ///< to send in the place of SIGINT
+  std::uint64_t LargestFile = 0;        ///< bytes that a file of the child's may have; 0: any number
 };
 
 /// A new, empty folder for each test; its files are removed when the test passed.

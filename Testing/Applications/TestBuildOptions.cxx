@@ -2,8 +2,11 @@
 // What `bmt build` puts into a file and leaves out of it.
 #include "MTRunBmt.h"
 
+#include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
+#include "vtkMTGraph.h"
 
+#include <filesystem>
 #include <iostream>
 #include <set>
 
@@ -116,4 +119,65 @@ TEST_F(BuildOptions, EveryCompressionHoldsTheSameModel)
   }
   EXPECT_LT(bytes[1], 0.5 * bytes[0]);
   EXPECT_LE(bytes[2], bytes[1]);
+}
+
+TEST_F(BuildOptions, BlobsAreExtractedIntoTheFolderAndNowhereElse)
+{
+  this->Build("square.ply", {});
+  std::filesystem::create_directory(this->Path("blobs"));
+  nlohmann::json out = this->BmtJson({ "extract", this->Path("out.bmt"), "--blobs", this->Path("blobs") });
+  ASSERT_EQ(out["blobs"].size(), 1u);
+  EXPECT_EQ(out["blobs"][0]["file"], this->Path("blobs") + "/leaves.png");
+  EXPECT_EQ(this->ReadFile("blobs/leaves.png"), Picture);
+  out = this->BmtJson({ "extract", this->Path("out.bmt"), "--blobs", this->Path("blobs"), "--level", "0", "-o",
+    this->Path("finest.ply") });
+  EXPECT_EQ(out["triangles"], 2);
+  EXPECT_NE(this->Bmt({ "extract", this->Path("out.bmt"), "--blobs", this->Path("nowhere") }).Exit, 0);
+  EXPECT_NE(this->Bmt({ "extract", this->Path("out.bmt"), "--level", "0" }).Exit, 0);
+  EXPECT_NE(this->Bmt({ "extract", this->Path("out.bmt"), "-o", this->Path("finest.ply") }).Exit, 0);
+
+  // Names as a hostile file has them.
+  vtkMTFileSink sink(this->Path("hostile.bmt"));
+  vtkMTGraph graph;
+  graph.Nodes.resize(2);
+  const char* const names[] = { "../../up.png", "/etc/absolute.png", "..", "", "a/b\\c.png", "c.png", ".hidden",
+    "new\nline" };
+  ASSERT_TRUE(sink.Begin({})) << sink.GetError();
+  for (const char* name : names)
+  {
+    graph.Blobs.push_back({ name, "image/png", {} });
+    ASSERT_TRUE(sink.WriteBlob({ 1, 2, 3 })) << sink.GetError();
+  }
+  ASSERT_TRUE(sink.Finish(graph, {})) << sink.GetError();
+  std::filesystem::create_directory(this->Path("hostile"));
+  out = this->BmtJson({ "extract", this->Path("hostile.bmt"), "--blobs", this->Path("hostile") });
+  std::set<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(this->Path("hostile")))
+  {
+    written.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(written,
+    (std::set<std::string>{
+      "up.png", "absolute.png", "blob..", "blob", "c.png", "c-2.png", "blob.hidden", "new_line" }));
+}
+
+TEST_F(BuildOptions, ExactKeepsTheInputsCoordinates)
+{
+  this->MakeSphere(20480);
+  this->Build("sphere.ply", { "--lattice-bits", "14", "--exact" });
+  EXPECT_EQ(this->Bmt({ "verify", this->Path("out.bmt"), "--input", this->Path("sphere.ply") }).Exit, 0);
+  const nlohmann::json info = this->BmtJson({ "info", this->Path("out.bmt") });
+  std::cout << info["bytes_of"]["vtkMTExactPoints"].get<double>() / info["triangles"].get<double>()
+            << " bytes per triangle for residuals\n";
+  const nlohmann::json finest =
+    this->BmtJson({ "extract", this->Path("out.bmt"), "--level", "0", "-o", this->Path("finest.ply") });
+  EXPECT_EQ(finest["error"], 0.0);
+  EXPECT_EQ(finest["exact"], true);
+  const nlohmann::json coarser =
+    this->BmtJson({ "extract", this->Path("out.bmt"), "--level", "1", "-o", this->Path("coarser.ply") });
+  EXPECT_EQ(coarser["exact"], false);
+  EXPECT_GE(coarser["error"], info["largest_shift"]);
+  // Building from it again on a finer lattice finds nothing that the first lattice has left.
+  this->Build("finest.ply", { "--lattice-bits", "31" });
+  EXPECT_EQ(this->Bmt({ "verify", this->Path("out.bmt"), "--input", this->Path("sphere.ply") }).Exit, 0);
 }

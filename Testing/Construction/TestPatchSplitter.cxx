@@ -120,8 +120,8 @@ TEST(PatchSplitter, SharedPointsKeepTheirIdsAndSayWhoUsesThem)
   vtkMTPatch strip = MakeStrip(4, arrays);
   strip.Ids = { 1001, 1002 }; // the first column
   const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, { 5, 5, 5, 5, 7, 7, 7, 7 }, 2, 9);
-  // The cut makes the middle column shared, beside the first one.
-  const std::uint64_t made[2] = { vtkMTPatchSplitter::MakeId(2, 9, 4), vtkMTPatchSplitter::MakeId(2, 9, 5) };
+  // The cut makes the middle column shared, beside the first one; the border comes to it at its upper point.
+  const std::uint64_t made[2] = { vtkMTPatchSplitter::MakeId(2, 9, 1), vtkMTPatchSplitter::MakeId(2, 9, 0) };
   const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { 1001, 5 }, { 1002, 5 }, { made[0], 5 },
     { made[1], 5 }, { made[0], 7 }, { made[1], 7 } };
   EXPECT_EQ(split.Uses, expected);

@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <numeric>
 #include <set>
+#include <thread>
 
 namespace
 {
@@ -34,7 +37,7 @@ public:
 
   std::shared_ptr<vtkMTPatchStore> Store = MTTestModel::TubeMaker(MTTestModel::TubeOptions()).Make();
   std::set<std::uint32_t> Broken;
-  mutable int Reads = 0;
+  mutable std::atomic<int> Reads{ 0 };
 };
 
 std::vector<std::uint32_t> AllArcs(const Source& source)
@@ -179,5 +182,93 @@ TEST(PatchCache, OnlyWantedArraysAreRead)
   EXPECT_FALSE(cache.Get(1)->PointColumns[1].empty());
   cache.SetArrays({ 1, 0, 0 });
   EXPECT_NE(cache.Get(1), nullptr);
+}
+
+std::vector<vtkMTPatchCache::Want> Wants(const std::vector<std::uint32_t>& arcs, double priority = 1.0)
+{
+  std::vector<vtkMTPatchCache::Want> wants;
+  for (const std::uint32_t arc : arcs)
+  {
+    wants.push_back({ arc, priority, true });
+    priority *= 0.999;
+  }
+  return wants;
+}
+
+// Looks until nothing more comes, as a view does from frame to frame.
+void LookOn(vtkMTPatchCache& cache, const void* view, const std::vector<vtkMTPatchCache::Want>& wants)
+{
+  cache.SetWants(view, wants);
+  for (int idle = 0; idle < 200 && cache.IsLoading(); ++idle)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    idle = cache.Collect() ? 0 : idle;
+    cache.SetWants(view, wants);
+  }
+}
+
+TEST(PatchCache, WhatAViewWantsComesWithoutWaiting)
+{
+  const auto source = std::make_shared<Source>();
+  vtkMTPatchCache cache(source);
+  int view = 0;
+  LookOn(cache, &view, Wants({ 1, 2, 3 }));
+  EXPECT_FALSE(cache.IsLoading());
+  for (const std::uint32_t arc : { 1u, 2u, 3u })
+  {
+    EXPECT_NE(cache.Get(arc), nullptr);
+  }
+  EXPECT_EQ(source->Reads, 3);
+}
+
+TEST(PatchCache, ViewsDoNotPushOutWhatTheOtherWantsMore)
+{
+  const auto source = std::make_shared<Source>();
+  vtkMTPatchCache whole(source);
+  whole.Request(AllArcs(*source));
+  vtkMTPatchCache cache(source, whole.GetBytes() / 2);
+  int first = 0;
+  int second = 0;
+  LookOn(cache, &first, Wants({ 10, 11, 12 }, 5.0));
+  const int before = source->Reads;
+  LookOn(cache, &second, Wants(AllArcs(*source), 1.0));
+  for (const std::uint32_t arc : { 10u, 11u, 12u })
+  {
+    EXPECT_NE(cache.Get(arc), nullptr);
+  }
+  EXPECT_LE(cache.GetMostUsedBytes(), cache.GetLimit());
+  std::cout << source->Reads - before << " patches beside the other view's three\n";
+  EXPECT_GT(source->Reads, before + 5);
+  // Nobody else wants anything: now there is room for the rest of this view, and only as much as before.
+  cache.Forget(&first);
+  LookOn(cache, &second, Wants(AllArcs(*source), 1.0));
+  const int settled = source->Reads;
+  LookOn(cache, &second, Wants(AllArcs(*source), 1.0));
+  EXPECT_EQ(source->Reads, settled); // no patch pushes out another in turn
+}
+
+TEST(PatchCache, LimitHoldsForWhatOthersStillHold)
+{
+  const auto source = std::make_shared<Source>();
+  vtkMTPatchCache whole(source);
+  whole.Request(AllArcs(*source));
+  vtkMTPatchCache cache(source, whole.GetBytes() / 3);
+  std::vector<vtkMTPatchCache::PatchPointer> held;
+  for (const std::uint32_t arc : AllArcs(*source))
+  {
+    cache.Request({ arc });
+    if (const auto patch = cache.Get(arc))
+    {
+      held.push_back(patch);
+    }
+  }
+  std::cout << held.size() << " patches held, most used " << cache.GetMostUsedBytes() << " of " << cache.GetLimit()
+            << "\n";
+  EXPECT_LT(held.size(), AllArcs(*source).size());
+  EXPECT_LE(cache.GetMostUsedBytes(), cache.GetLimit());
+  EXPECT_TRUE(cache.TakeFailures().empty());
+  held.clear();
+  cache.Request({ 40 });
+  EXPECT_NE(cache.Get(40), nullptr);
 }
 }

@@ -4,6 +4,7 @@
 #include "MTTestMeshes.h"
 #include "MTTestModel.h"
 
+#include "vtkMTExactPoints.h"
 #include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <set>
 
 using namespace MTIOTest;
 
@@ -326,6 +328,94 @@ TEST(Codec, PackedPatchesAreSmallAndCoarseOnesSmaller)
   EXPECT_LT(coarse, bytes[1] * 9 / 10);
 }
 
+TEST(Codec, IdentitiesThatFollowEachOtherAlongTheBorderCostNearlyNothing)
+{
+  Random random(8);
+  const int n = 30;
+  vtkMTPatch field = MakeField(random, n, 0, 0, 1000);
+  // The border first, along it, then what is inside.
+  std::vector<std::uint32_t> order;
+  for (int i = 0; i < 4 * n; ++i)
+  {
+    const int along = i % n;
+    const int sides[4][2] = { { along, 0 }, { n, along }, { n - along, n }, { 0, n - along } };
+    order.push_back(static_cast<std::uint32_t>(sides[i / n][1] * (n + 1) + sides[i / n][0]));
+  }
+  std::vector<std::uint32_t> place(field.Points.size(), ~std::uint32_t(0));
+  for (std::uint32_t p = 0; p < order.size(); ++p)
+  {
+    place[order[p]] = p;
+  }
+  for (std::uint32_t p = 0; p < place.size(); ++p)
+  {
+    if (place[p] == ~std::uint32_t(0))
+    {
+      place[p] = static_cast<std::uint32_t>(order.size());
+      order.push_back(p);
+    }
+  }
+  vtkMTPatch patch;
+  for (const std::uint32_t p : order)
+  {
+    patch.Points.push_back(field.Points[p]);
+  }
+  for (const vtkMTTriangle& t : field.Triangles)
+  {
+    patch.Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
+  }
+  std::uint64_t size[3] = {};
+  StoreAndRead(patch, MakeGraph(patch, {}), vtkMTFileSink::Fast, size[0]);
+  for (const bool isRandom : { false, true })
+  {
+    patch.Ids.clear();
+    for (std::uint64_t i = 0; i < 4 * n; ++i)
+    {
+      const std::uint64_t piece = i / 40; // of three neighbours; one of them goes round the other way
+      patch.Ids.push_back(isRandom ? random.Next() : (piece << 40) + (piece == 1 ? 90000 - i : 500 + i));
+    }
+    const vtkMTPatch read = StoreAndRead(patch, MakeGraph(patch, {}), vtkMTFileSink::Fast, size[isRandom ? 2 : 1]);
+    EXPECT_EQ(std::set<std::uint64_t>(read.Ids.begin(), read.Ids.end()),
+      std::set<std::uint64_t>(patch.Ids.begin(), patch.Ids.end()));
+  }
+  std::cout << 4 * n << " shared points, bytes for their identities: " << size[1] - size[0] << " in runs, "
+            << size[2] - size[0] << " at random\n";
+  EXPECT_LT(size[1] - size[0], 64u);
+}
+
+TEST(Codec, ResidualsOfExactPointsAreSmallAndReadOnlyWhenAskedFor)
+{
+  const vtkMTArrayInfo info = vtkMTExactPoints::MakeInfo(false, {});
+  Random random(3);
+  vtkMTPatch patch = MakeField(random, 40, 0, 0, 1000);
+  std::vector<std::int64_t> residuals(3 * patch.Points.size());
+  for (std::int64_t& residual : residuals)
+  {
+    residual = static_cast<std::int64_t>(random.Below(200)) - 100;
+  }
+  patch.PointColumns.emplace_back(residuals.size() * sizeof(residuals[0]));
+  std::memcpy(patch.PointColumns[0].data(), residuals.data(), patch.PointColumns[0].size());
+  const vtkMTPatch expected = vtkMTPatchOrder::Make(patch).Patch;
+  const vtkMTGraph graph = MakeGraph(patch, { info });
+  for (const auto compression : Compressions)
+  {
+    vtkMTFileSource source;
+    std::string error;
+    vtkMTPatch read;
+    ASSERT_TRUE(source.Open(std::make_shared<vtkMTMemoryByteSource>(Store(patch, graph, compression)), error));
+    ASSERT_TRUE(source.ReadPatch(0, nullptr, read, error)) << error;
+    EXPECT_EQ(read.PointColumns, expected.PointColumns);
+    const std::vector<unsigned char> none(1, 0);
+    ASSERT_TRUE(source.ReadPatch(0, &none, read, error)) << error;
+    EXPECT_TRUE(read.PointColumns[0].empty());
+    const double bytes = static_cast<double>(source.GetSizeByKind()[1]) / static_cast<double>(residuals.size());
+    std::cout << bytes << " bytes for a residual of 7.6 bits\n";
+    EXPECT_LT(bytes, compression == vtkMTFileSink::None ? 8.1 : 1.1);
+  }
+  patch.PointColumns[0].clear();
+  std::uint64_t size = 0;
+  EXPECT_TRUE(StoreAndRead(patch, graph, vtkMTFileSink::Fast, size).PointColumns[0].empty());
+}
+
 TEST(Codec, BlobsComeBackAndAreCheckedAsEverythingElse)
 {
   Folder folder;
@@ -373,7 +463,7 @@ TEST(Codec, AReaderWrittenFromTheTablesReadsTheSame)
   Random random(12);
   const std::vector<vtkMTArrayInfo> arrays = { MakeInfo(VTK_FLOAT, 3, vtkMTArrayInfo::Point),
     MakeInfo(VTK_UNSIGNED_CHAR, 4, vtkMTArrayInfo::Point), MakeInfo(VTK_ID_TYPE, 1, vtkMTArrayInfo::Cell),
-    MakeInfo(VTK_SHORT, 2, vtkMTArrayInfo::Cell) };
+    MakeInfo(VTK_SHORT, 2, vtkMTArrayInfo::Cell), vtkMTExactPoints::MakeInfo(true, {}) };
   for (int round = 0; round < 12; ++round)
   {
     vtkMTPatch patch = MakeField(random, 2 + round, round % 4, static_cast<unsigned>(round), 1 + round * 5000);
@@ -382,6 +472,10 @@ TEST(Codec, AReaderWrittenFromTheTablesReadsTheSame)
       patch.Triangles.resize(patch.Triangles.size() / 2);
     }
     AddColumns(random, arrays, patch);
+    if (round % 2 == 0) // as on all levels but the finest
+    {
+      patch.PointColumns.back().clear();
+    }
     vtkMTGraph graph = MakeGraph(patch, arrays);
     graph.Blobs.push_back({ "a picture", "image/png", {} });
     const std::string path = folder / "model.bmt";

@@ -3,14 +3,22 @@
 #include "MTIOTest.h"
 #include "MTTestMeshes.h"
 #include "vtkMTFractalSphere.h"
+#include "vtkMTMemorySpoolStore.h"
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshStream.h"
 #include "vtkMTMeshWriter.h"
 #include "vtkMTPolyDataStream.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
@@ -62,15 +70,44 @@ Content ReadAll(vtkMTTriangleStream& stream)
   return content;
 }
 
+std::string ReadText(const std::string& path)
+{
+  const Bytes bytes = ReadFile(path);
+  return std::string(bytes.begin(), bytes.end());
+}
+
+std::vector<std::string> GetFieldNames(vtkPolyData* mesh)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < mesh->GetFieldData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = mesh->GetFieldData()->GetAbstractArray(i);
+    names.emplace_back(array->GetName());
+    for (vtkIdType v = 0; v < array->GetNumberOfValues(); ++v)
+    {
+      names.push_back(array->GetVariantValue(v).ToString());
+    }
+  }
+  return names;
+}
+
+// The sorts get as little memory as they take.
 void ExpectSameAsWhole(const std::string& path)
 {
   std::string error;
   const vtkNew<vtkPolyData> mesh;
   ASSERT_TRUE(vtkMTMeshReader::Read(path, mesh, error)) << error;
   vtkMTPolyDataStream whole(mesh);
-  const auto streamed = vtkMTMeshStream::Open(path);
+  vtkMTMemorySpoolStore store;
+  vtkMTMeshStream::Settings settings;
+  settings.Store = &store;
+  settings.Memory = 0;
+  const vtkNew<vtkPolyData> names;
+  const auto streamed = vtkMTMeshStream::Open(path, settings, names);
   ASSERT_TRUE(streamed) << path;
-  EXPECT_EQ(streamed->GetArrays(), whole.GetArrays());
+  EXPECT_EQ(streamed->GetArrays(), whole.GetArrays()) << path;
+  EXPECT_EQ(streamed->GetReport(), whole.GetReport()) << path;
+  EXPECT_EQ(GetFieldNames(names), GetFieldNames(mesh)) << path;
   const Content expected = ReadAll(whole);
   for (int round = 0; round < 2; ++round)
   {
@@ -169,10 +206,196 @@ TEST(MeshStream, BinaryPlyOfBothByteOrdersWithValuesAroundTheCorners)
   }
 }
 
+TEST(MeshStream, PolygonsOfPlyBecomeTheTrianglesOfTheWholeFile)
+{
+  const Folder folder;
+  WriteFile(folder / "quads.ply", MakeText(1000, 3000, "4 %d %d %d 5"));
+  ExpectSameAsWhole(folder / "quads.ply");
+  // Polygons of 0 to 9 corners, more than one piece of them.
+  std::string text = "ply\nformat ascii 1.0\ncomment TextureFile bark.png\nelement vertex 70000\nproperty float x\n"
+                     "property float y\nproperty double z\nelement face 70000\nproperty list uchar int vertex_index\n"
+                     "property int label\nend_header\n";
+  for (int i = 0; i < 70000; ++i)
+  {
+    text += std::to_string(0.37 * (i % 211 * 79 % 211)) + " " + std::to_string(0.11 * (i % 307 * 41 % 307)) + " " +
+      std::to_string(1e-3 * (i % 11)) + "\n";
+  }
+  for (int i = 0; i < 70000; ++i)
+  {
+    text += std::to_string(i % 10);
+    for (int c = 0; c < i % 10; ++c)
+    {
+      text += " " + std::to_string((i * 31 + c * (i % 977)) % 70000);
+    }
+    text += " " + std::to_string(i) + "\n";
+  }
+  WriteFile(folder / "polygons.ply", text);
+  ExpectSameAsWhole(folder / "polygons.ply");
+}
+
+TEST(MeshStream, TextOfStlGivesWhatTheWholeFileGives)
+{
+  const Folder folder;
+  const vtkNew<vtkSTLWriter> writer;
+  writer->SetFileTypeToASCII();
+  writer->SetInputData(MTTestMeshes::FractalSphere(6));
+  writer->SetFileName((folder / "sphere.stl").c_str());
+  writer->Write();
+  ExpectSameAsWhole(folder / "sphere.stl");
+  const std::string text = ReadText(folder / "sphere.stl");
+  WriteFile(folder / "cut.stl", text.substr(0, text.size() / 2));
+  EXPECT_FALSE(vtkMTMeshStream::Open(folder / "cut.stl"));
+}
+
+namespace
+{
+// Points on a grid whose corners have coordinates and normals of their own here and there.
+std::string MakeObj(int n, bool withTextures, bool withNormals, bool withColors, bool withMaterials)
+{
+  std::string text = withMaterials ? "mtllib some thing.mtl\nmtllib other.mtl\n" : "# plain\n";
+  char line[200];
+  for (int i = 0; i < n * n; ++i)
+  {
+    std::snprintf(line, sizeof(line), withColors ? "v %g %g %g 0.5 %g 1\n" : "v %g %g %g\n", 0.1 * (i % n),
+      0.1 * (i / n), 0.01 * (i * 7919 % 13), (i % 5) / 5.0);
+    text += line;
+    std::snprintf(line, sizeof(line), "vt %g %g\nvn %d 0 1\n", (i % n) / 16.0, (i / n) / 16.0, i % 3);
+    text += withTextures || withNormals ? line : "";
+  }
+  for (int i = 0; i + n + 1 < n * n; ++i)
+  {
+    if (i % n == n - 1)
+    {
+      continue;
+    }
+    text += withMaterials && i % 501 == 0 ? "usemtl m" + std::to_string(i % 7) + "\ng part\n" : "";
+    const int corners[4] = { i, i + 1, i + n + 1, i + n };
+    text += "f";
+    for (int c = 0; c < (i % 4 == 0 ? 3 : 4); ++c)
+    {
+      const int point = corners[c] + 1;
+      const int other = i % 17 == 0 ? (point * 31) % (n * n) + 1 : point;
+      text += " " + std::to_string(i % 9 == 0 ? point - 1 - n * n : point);
+      text += withTextures && i % 23 != 0 ? "/" + std::to_string(other) : (withNormals ? "/" : "");
+      text += withNormals ? "/" + std::to_string(other) : "";
+    }
+    text += "\n";
+    text += i % 1000 == 1 ? "l 1 2 3\n" : "";
+  }
+  return text;
+}
+}
+
+TEST(MeshStream, ObjWithWedgesMaterialsAndPolygonsGivesWhatTheWholeFileGives)
+{
+  const Folder folder;
+  for (int kind = 0; kind < 16; ++kind)
+  {
+    const int n = kind == 15 ? 270 : 60; // the largest has several pieces
+    const std::string name = folder / ("grid-" + std::to_string(kind) + ".obj");
+    WriteFile(name, MakeObj(n, (kind & 1) != 0, (kind & 2) != 0, (kind & 4) != 0, (kind & 8) != 0));
+    ExpectSameAsWhole(name);
+  }
+  // Without a store or without names to tell it is not streamed; nor is a damaged one.
+  vtkMTMemorySpoolStore store;
+  vtkMTMeshStream::Settings settings;
+  EXPECT_FALSE(vtkMTMeshStream::Open(folder / "grid-0.obj"));
+  settings.Store = &store;
+  EXPECT_TRUE(vtkMTMeshStream::Open(folder / "grid-0.obj", settings));
+  EXPECT_FALSE(vtkMTMeshStream::Open(folder / "grid-15.obj", settings));
+  settings.LeastSize = 1 << 30;
+  EXPECT_FALSE(vtkMTMeshStream::Open(folder / "grid-0.obj", settings));
+  settings.LeastSize = 0;
+  WriteFile(folder / "range.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"));
+  WriteFile(folder / "none.obj", std::string("v 0 0 0\n"));
+  EXPECT_FALSE(vtkMTMeshStream::Open(folder / "range.obj", settings));
+  EXPECT_FALSE(vtkMTMeshStream::Open(folder / "none.obj", settings));
+}
+
+TEST(MeshStream, VtpOfEveryEncodingGivesWhatTheWholeFileGives)
+{
+  const Folder folder;
+  const auto mesh = MTTestMeshes::FractalSphere(6); // two pieces of cells
+  MTTestMeshes::AddArrays(mesh);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("with components");
+  values->SetNumberOfComponents(2);
+  values->SetComponentName(0, "first");
+  values->SetComponentName(1, "second");
+  values->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetTuple2(i, 0.1 * static_cast<double>(i), 1e-20 * static_cast<double>(i));
+  }
+  mesh->GetPointData()->AddArray(values);
+  mesh->GetPointData()->SetActiveScalars("with components");
+  // Some lines, a vertex and polygons, with a value for each.
+  const auto mixed = vtkSmartPointer<vtkPolyData>::New();
+  mixed->SetPoints(mesh->GetPoints());
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> polys;
+  vertices->InsertNextCell({ 7 });
+  lines->InsertNextCell({ 1, 2, 3 });
+  lines->InsertNextCell({ 5, 6 });
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("numbers");
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    ids->InsertNextValue(-i);
+  }
+  for (vtkIdType i = 0; i < 2000; ++i)
+  {
+    polys->InsertNextCell(3 + static_cast<int>(i % 5));
+    for (vtkIdType c = 0; c < 3 + i % 5; ++c)
+    {
+      polys->InsertCellPoint((i * 17 + c * 29) % mixed->GetNumberOfPoints());
+    }
+    ids->InsertNextValue(i << 33);
+  }
+  mixed->SetVerts(vertices);
+  mixed->SetLines(lines);
+  mixed->SetPolys(polys);
+  mixed->GetCellData()->AddArray(ids);
+  for (int mode : { vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended })
+  {
+    for (int compressor : { vtkXMLWriter::NONE, vtkXMLWriter::ZLIB, vtkXMLWriter::LZ4, vtkXMLWriter::LZMA })
+    {
+      const bool isUnused = mode == vtkXMLWriter::Ascii && compressor != vtkXMLWriter::NONE;
+      const int encodings = isUnused ? 0 : (mode == vtkXMLWriter::Appended ? 2 : 1);
+      for (int encoded = 0; encoded < encodings; ++encoded)
+      {
+        const std::string name = folder /
+          ("sphere-" + std::to_string(mode) + "-" + std::to_string(compressor) + "-" + std::to_string(encoded) +
+            ".vtp");
+        const vtkNew<vtkXMLPolyDataWriter> writer;
+        writer->SetDataMode(mode);
+        writer->SetCompressorType(compressor);
+        writer->SetEncodeAppendedData(encoded);
+        writer->SetByteOrder(encoded ? vtkXMLWriter::BigEndian : vtkXMLWriter::LittleEndian);
+        writer->SetHeaderType(encoded ? vtkXMLWriter::UInt64 : vtkXMLWriter::UInt32);
+        writer->SetFileName(name.c_str());
+        writer->SetInputData(mesh);
+        ASSERT_TRUE(writer->Write());
+        ExpectSameAsWhole(name);
+        if (mode != vtkXMLWriter::Ascii) // cell values as text do not begin with those of polygons
+        {
+          writer->SetInputData(mixed);
+          ASSERT_TRUE(writer->Write());
+          ExpectSameAsWhole(name);
+        }
+        const std::string bytes = ReadText(name);
+        WriteFile(name, bytes.substr(0, bytes.size() / 2));
+        EXPECT_FALSE(vtkMTMeshStream::Open(name)) << name;
+      }
+    }
+  }
+}
+
 TEST(MeshStream, WhatNeedsTheWholeFileIsNotStreamed)
 {
   const Folder folder;
-  WriteFile(folder / "quads.ply", MakeText(100, 10, "4 %d %d %d 5"));
+  WriteFile(folder / "quads.ply", MakeText(100, 10, "4 %d %d %d 5")); // there is no room for temporary data
   WriteFile(folder / "range.ply", MakeText(100, 10, "3 %d %d 1%d000"));
   WriteFile(folder / "negative.ply", MakeText(100, 10, "3 %d %d -1%d"));
   WriteFile(folder / "none.ply", MakeText(100, 0));

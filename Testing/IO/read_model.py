@@ -108,7 +108,7 @@ class Header:
          self.input_triangles, self.step, ox, oy, oz, self.shift, self.blobs) = struct.unpack(
              "<IIQQQQQQQIIIIQdqqqdI", data[8:140])
         self.origin = (ox, oy, oz)
-        require(self.version == 2 and size == 256 and self.file_size == len(data), "another version, or cut off")
+        require(self.version == 3 and size == 256 and self.file_size == len(data), "another version, or cut off")
         dag, head = struct.unpack("<QQ", data[240:256])
         check(data[:248], head, "the header")
         check(data[256:self.patches_at], dag, "the DAG block")
@@ -125,6 +125,7 @@ class Array:
         self.type, self.components, self.attribute, self.tuple_size = stream.unpack("iiiI")
         self.association, self.resampling, self.role, _ = stream.unpack("BBBB")
         self.component_names = [stream.string() for _ in range(stream.unpack("I")[0])]
+        self.properties = stream.mapping(stream.string)
 
 
 class Model:
@@ -190,10 +191,9 @@ class Patch:
         side = Stream(decompress(codec, data[40:40 + stored], side_size))
         steps = side.take(side.number())
         names = Stream(side.take(side.number()))
-        triangles, bases = self.read_triangles(int.from_bytes(steps, "little"), 8 * len(steps), names)
-        is_shared = bits(side.take((self.points_count + 7) // 8), self.points_count)
+        triangles, bases, border = self.read_triangles(int.from_bytes(steps, "little"), 8 * len(steps), names)
         wedge_points = self.read_wedges(side) if has_table else None
-        self.read_ids(side)
+        ids = self.read_ids(side, [wedge_points[w] for w in border] if has_table else border)
         coarse = bits(side.take((self.points_count + 7) // 8), self.points_count) if shift else None
         if has_table:
             first = {}
@@ -202,13 +202,15 @@ class Patch:
             bases = {p: [wedge_points[x] for x in bases.get(w, [])] for p, w in first.items()}
         points = self.read_points(bases, shift, coarse, side, data[40 + stored:])
         require(side.at == len(side.data), "a side stream of another length")
-        self.place(points, is_shared, wedge_points, triangles)
+        self.ids = [ids[p] for p in sorted(ids)]
+        self.place(points, [p in ids for p in range(len(points))], wedge_points, triangles)
 
     def read_triangles(self, steps, bits_left, names):
         triangles = []
         bases = {}  # of the vertices that were met: [], [a] or [a, b, c]
         gates = []  # [from, to, across, previous, next, state]
         stack = []
+        border_gates = []
         gate_from = {}
 
         def name(basis):
@@ -275,6 +277,7 @@ class Patch:
             require(bits_left >= 0, "the steps are too short")
             if step == 3:
                 gates[gate][5] = BORDER
+                border_gates.append(gate)
                 continue
             if step == 0:
                 third = len(bases)
@@ -296,7 +299,13 @@ class Patch:
                     link(before, after)
             triangles.append((end, start, third))
         require(bits_left < 8 and steps == 0 and names.at == len(names.data), "the steps are too long")
-        return triangles, bases
+        border = []
+        for gate in border_gates + stack[::-1]:
+            while gates[gate][5] != GONE:
+                gates[gate][5] = GONE
+                border.append(gates[gate][0])
+                gate = gates[gate][4]
+        return triangles, bases, border
 
     def read_wedges(self, side):
         points = []
@@ -307,29 +316,47 @@ class Patch:
             following += back == 0
         return points
 
-    def read_ids(self, side):
+    def read_ids(self, side, border):
+        order = list(dict.fromkeys(border + list(range(self.points_count))))
         highs = [side.number() for _ in range(side.number())]
+        for i in range(1, len(highs)):
+            highs[i] = (highs[i] + highs[i - 1]) & MASK
         before = [0] * len(highs)
-        self.ids = []
-        for _ in range(self.shared):
-            high = side.number()
-            before[high] = (before[high] + unzigzag(side.number())) & MASK
-            self.ids.append(highs[high] << 32 | before[high])
+        ids = {}
+        at = 0
+        while len(ids) < self.shared:
+            kind = side.number()
+            run = order[at:at + side.number() + 1]
+            at += len(run)
+            if kind:
+                high = (kind - 1) // 2
+                low = before[high] + unzigzag(side.number())
+                for i, point in enumerate(run):
+                    before[high] = (low + (i if kind % 2 else -i)) & MASK
+                    ids[point] = highs[high] << 32 | before[high]
+        return ids
 
     def read_points(self, bases, shift, coarse, side, data):
         count = self.points_count
-        blocks = [min(16, count - begin) for begin in range(0, count, 16)]
-        widths = side.take(3 * len(blocks))
-        everything = int.from_bytes(data, "little")
-        at = 0
+        blocks = [min(32, count - begin) for begin in range(0, count, 32)]
+        parameters = side.take(3 * len(blocks))
+        sizes = [side.number(), side.number()]
+        sizes.append(len(data) - sum(sizes))
         codes = []
         for axis in range(3):
+            everything = int.from_bytes(data[:sizes[axis]], "little")
+            data = data[sizes[axis]:]
+            at = 0
             codes.append([])
-            for size, width in zip(blocks, widths[axis * len(blocks):]):
+            for size, k in zip(blocks, parameters[axis * len(blocks):]):
                 for _ in range(size):
-                    codes[axis].append(everything >> at & ((1 << width) - 1))
-                    at += width
-        require(len(data) == (at + 7) // 8, "positions of another length")
+                    ones = 0
+                    while everything >> at & 1:
+                        ones += 1
+                        at += 1
+                    codes[axis].append((ones << k | everything >> at + 1 & ((1 << k) - 1)) & MASK)
+                    at += 1 + k
+            require(sizes[axis] == (at + 7) // 8, "positions of another length")
         points = []
         for i in range(count):
             basis = bases.get(i, [])
@@ -366,7 +393,7 @@ class Patch:
         self.triangles = [tuple(wedge_place[w] for w in t) for t in triangles]
 
 
-def unpack_numbers(packed, tuples, components, size):
+def unpack_numbers(packed, tuples, components, size, has_differences=True):
     plane = tuples * components
     columns = []
     for c in range(components):
@@ -376,6 +403,7 @@ def unpack_numbers(packed, tuples, components, size):
             code = sum(packed[byte * plane + c * tuples + i] << (8 * byte) for byte in range(size))
             before = (before + unzigzag(code, 8 * size)) & ((1 << 8 * size) - 1)
             columns[-1].append(before)
+            before = before if has_differences else 0
     return columns
 
 
@@ -397,6 +425,8 @@ def direction(u, v):
 
 def read_column(array, arc, codec, data):
     tuples = arc[2] if array.association else arc[4]
+    if array.role == 3 and not data:
+        return data
     if codec == 0:
         require(len(data) == tuples * array.tuple_size, "a column of another length")
         return data
@@ -404,7 +434,8 @@ def read_column(array, arc, codec, data):
         u, v = unpack_numbers(decompress(codec, data, 4 * tuples), tuples, 2, 2)
         return b"".join(struct.pack("<3f", *direction(a, b)) for a, b in zip(u, v))
     size = array.tuple_size // array.components
-    columns = unpack_numbers(decompress(codec, data, tuples * array.tuple_size), tuples, array.components, size)
+    packed = decompress(codec, data, tuples * array.tuple_size)
+    columns = unpack_numbers(packed, tuples, array.components, size, array.role != 3)
     return b"".join(x.to_bytes(size, "little") for values in zip(*columns) for x in values)
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTGridModel.h"
 
+#include "MTTestModel.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchStore.h"
@@ -270,12 +272,7 @@ private:
     vtkMTArc arc;
     arc.From = from;
     arc.To = to;
-    arc.Triangles = static_cast<std::uint32_t>(patch.Triangles.size());
-    arc.Points = static_cast<std::uint32_t>(patch.Points.size());
-    arc.Wedges = arc.Points;
-    arc.SharedPoints = static_cast<std::uint32_t>(patch.Ids.size());
-    arc.Box = patch.GetBox();
-    arc.MeanEdgeLength = static_cast<float>(patch.GetMeanEdgeLength() * this->Graph.Lattice.Step);
+    MTTestModel::FillRecord(patch, this->Graph.Lattice, arc);
     this->Graph.Arcs.push_back(arc);
     this->Store->WritePatch(std::move(patch));
   }

@@ -31,6 +31,7 @@ vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(double pixelError)
   mapper->SetInputData(input);
   mapper->SetPixelError(pixelError);
   mapper->SetScalarRange(-0.15, 0.15);
+  mapper->WaitForConvergenceOn(); // also where a frame rate is asked for
   return mapper;
 }
 

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTInputFragments.h"
+
+#include "vtkMTInputSpool.h"
+#include "vtkMTPatchRecord.h"
+#include "vtkMTPointNormals.h"
+#include "vtkMTRegionStep.h"
+#include "vtkMTStageTimes.h"
+
+#include <algorithm>
+
+namespace
+{
+void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::uint64_t count)
+{
+  if (count > 0)
+  {
+    report[reason] += static_cast<std::int64_t>(count);
+  }
+}
+}
+
+vtkMTInputFragments::vtkMTInputFragments(
+  const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals)
+  : Settings(settings)
+  , State(state)
+  , NumberOfRegions(regions)
+  , MakesNormals(makesNormals)
+{
+}
+
+vtkMTInputFragments::~vtkMTInputFragments() = default;
+
+bool vtkMTInputFragments::Fail(const std::string& error)
+{
+  this->Error = error;
+  return false;
+}
+
+bool vtkMTInputFragments::Continue(const char* step, std::uint64_t done)
+{
+  this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State.LevelTriangles[0] });
+  return !this->Aborted || this->Fail("aborted");
+}
+
+bool vtkMTInputFragments::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
+{
+  vtkMTBuildState& state = this->State;
+  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
+    input.GetCellTupleSizes(), this->MakesNormals };
+  for (const vtkMTArrayInfo& array : state.Graph.Arrays)
+  {
+    if (array.Role == vtkMTArrayInfo::ExactPoints)
+    {
+      layout.PointTupleSizes.push_back(array.GetTupleSize());
+    }
+  }
+  vtkMTSpoolStore& store = *this->Settings.Store;
+  const std::size_t memory = this->Settings.SortMemory / 8;
+  this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);
+  this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory / 2);
+  this->SharedIds = std::make_unique<vtkMTSharedIds>(store, memory / 2);
+  if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
+    !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
+  {
+    return false;
+  }
+  std::vector<Making> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+  std::uint64_t done = 0;
+  const bool made = this->ForAllRegions(
+    [&](std::size_t region, std::size_t slot, std::string& error)
+    {
+      const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+      slots[slot] = Making();
+      const bool taken = regions.Take(static_cast<std::uint32_t>(region), slots[slot].Records);
+      error = taken ? error : regions.GetError();
+      return taken;
+    },
+    [&](std::size_t region, std::size_t slot, std::string&)
+    {
+      const vtkMTStageTimes::Scope assemble(this->Settings.Times, vtkMTStageTimes::Assemble);
+      Making& making = slots[slot];
+      making.Fragment.Make(static_cast<std::uint32_t>(region), std::move(making.Records), layout);
+      making.Barycentres = vtkMTBarycentreSpool::GetBarycentres(making.Fragment.Mesh);
+      return true;
+    },
+    [&](std::size_t region, std::size_t slot, std::string& error)
+    {
+      const vtkMTStageTimes::Scope write(this->Settings.Times, vtkMTStageTimes::Write);
+      done += slots[slot].Barycentres.size();
+      return this->PutMade(region, slots[slot], error) && this->Continue("making fragments", done);
+    });
+  return made && this->Fragments.Seal(this->Error) && state.Barycentres.Seal(this->Error);
+}
+
+bool vtkMTInputFragments::PutMade(std::size_t region, Making& making, std::string& error)
+{
+  if (making.Fragment.Mesh.Triangles.empty())
+  {
+    return true;
+  }
+  {
+    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
+    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Pieces))
+    {
+      error = this->Orientation->GetError();
+      return false;
+    }
+    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Pieces))
+    {
+      error = this->Normals->GetError();
+      return false;
+    }
+    if (!this->SharedIds->Add(
+          static_cast<std::uint32_t>(region), making.Fragment.Mesh.Ids, making.Fragment.SharedPlaces))
+    {
+      error = this->SharedIds->GetError();
+      return false;
+    }
+  }
+  Bytes mesh;
+  Bytes orientation;
+  making.Fragment.Encode(mesh, orientation);
+  return this->Fragments.Put(region, mesh.data(), mesh.size(), error) &&
+    this->Fragments.Put(region, orientation.data(), orientation.size(), error) &&
+    this->State.Barycentres.Put(making.Barycentres, error);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTInputFragments::Finish()
+{
+  vtkMTBuildState& state = this->State;
+  {
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation) || !this->SharedIds->Solve())
+    {
+      return this->Fail(this->Orientation->GetError() + this->Normals->GetError() + this->SharedIds->GetError());
+    }
+  }
+  Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetReversedTriangles());
+  Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNonOrientableTriangles());
+  if (!state.Fragments.Begin(
+        *this->Settings.Store, vtkMTBuildState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
+  {
+    return false;
+  }
+  std::vector<Finishing> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+  std::uint64_t done = 0;
+  const bool finished = this->ForAllRegions(
+    [&](std::size_t region, std::size_t slot, std::string& error)
+    {
+      const vtkMTStageTimes::Scope assemble(this->Settings.Times, vtkMTStageTimes::Assemble);
+      return this->Fetch(static_cast<std::uint32_t>(region), slots[slot], error);
+    },
+    [&](std::size_t, std::size_t slot, std::string&)
+    {
+      const vtkMTStageTimes::Scope assemble(this->Settings.Times, vtkMTStageTimes::Assemble);
+      this->FinishOne(slots[slot]);
+      return true;
+    },
+    [&](std::size_t region, std::size_t slot, std::string& error)
+    {
+      const vtkMTStageTimes::Scope write(this->Settings.Times, vtkMTStageTimes::Write);
+      done += slots[slot].Fragment.Mesh.Triangles.size();
+      const Bytes& record = slots[slot].Record;
+      return (record.empty() || state.Fragments.Put(region, record.data(), record.size(), error)) &&
+        this->Continue("finishing fragments", done);
+    });
+  this->Fragments.Remove();
+  state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTBuildState::None);
+  return finished && state.Fragments.Seal(this->Error);
+}
+
+bool vtkMTInputFragments::Fetch(std::uint32_t region, Finishing& finishing, std::string& error)
+{
+  finishing = Finishing();
+  std::vector<Bytes> records;
+  if (!this->Fragments.Take(region, records, error))
+  {
+    return false;
+  }
+  if (records.size() == 2 && !finishing.Fragment.Decode(records[0], records[1], error))
+  {
+    return false;
+  }
+  finishing.SharedNormals.resize(finishing.Fragment.Mesh.Ids.size());
+  const bool taken =
+    !this->MakesNormals || this->Normals->Take(region, finishing.Fragment.Mesh, finishing.SharedNormals);
+  // Normals are asked for by the input's numbers, so these are replaced after that.
+  const bool numbered = taken && this->SharedIds->Take(region, finishing.Fragment.Mesh.Ids);
+  error = taken ? this->SharedIds->GetError() : this->Normals->GetError();
+  return numbered;
+}
+
+void vtkMTInputFragments::FinishOne(Finishing& finishing) const
+{
+  vtkMTInputFragment& fragment = finishing.Fragment;
+  if (fragment.Mesh.Triangles.empty())
+  {
+    return;
+  }
+  fragment.TurnRound(*this->Orientation);
+  if (this->MakesNormals)
+  {
+    std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(fragment.Mesh);
+    std::copy(finishing.SharedNormals.begin(), finishing.SharedNormals.end(), normals.begin());
+    fragment.AddNormals(normals);
+  }
+  vtkMTRegionStep::AppendReachOfInput(fragment.Mesh);
+  vtkMTPatchRecord::Encode(fragment.Mesh, finishing.Record);
+}
+
+bool vtkMTInputFragments::ForAllRegions(
+  const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
+{
+  std::string error;
+  const bool done = vtkMTOrderedWork::Run(this->NumberOfRegions, this->Settings.Threads, fetch, work, take, error);
+  this->Error = error.empty() ? this->Error : error;
+  return done;
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTInputFragments
+ * @brief the fragments of mesh M_0, made of the input's triangles and points by region
+ *
+ * Make puts every region's records together, in parallel: all but what depends on other fragments. Finish turns round
+ * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
+ * (vtkMTSharedIds), and fills the state.
+ */
+#ifndef vtkMTInputFragments_h
+#define vtkMTInputFragments_h
+
+#include "vtkMTBuildSettings.h"
+#include "vtkMTBuildState.h"
+#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTInputFragment.h"
+#include "vtkMTInputRegions.h"
+#include "vtkMTOrderedWork.h"
+#include "vtkMTOrientation.h"
+#include "vtkMTSharedIds.h"
+#include "vtkMTSharedNormals.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkMTInputSpool;
+
+class VTKMTCONSTRUCTION_EXPORT vtkMTInputFragments
+{
+public:
+  vtkMTInputFragments(
+    const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals);
+  ~vtkMTInputFragments();
+
+  ///@{
+  /// One after the other; what Make was given is not needed any more then. False with a message in GetError.
+  bool Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input);
+  bool Finish();
+  ///@}
+  const std::string& GetError() const { return this->Error; }
+  bool WasAborted() const { return this->Aborted; }
+
+private:
+  using Bytes = std::vector<unsigned char>;
+  struct Making
+  {
+    vtkMTInputRegions::Region Records;
+    vtkMTInputFragment Fragment;
+    std::vector<vtkMTBarycentreSpool::Barycentre> Barycentres;
+  };
+  struct Finishing
+  {
+    vtkMTInputFragment Fragment;
+    std::vector<std::array<float, 3>> SharedNormals;
+    Bytes Record;
+  };
+
+  bool Fail(const std::string& error);
+  bool Continue(const char* step, std::uint64_t done);
+  bool PutMade(std::size_t region, Making& making, std::string& error);
+  bool Fetch(std::uint32_t region, Finishing& finishing, std::string& error);
+  void FinishOne(Finishing& finishing) const;
+  bool ForAllRegions(
+    const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
+
+  const vtkMTBuildSettings& Settings;
+  vtkMTBuildState& State;
+  const std::uint32_t NumberOfRegions;
+  const bool MakesNormals;
+  std::string Error;
+  bool Aborted = false;
+  std::unique_ptr<vtkMTOrientation> Orientation;
+  std::unique_ptr<vtkMTSharedNormals> Normals;
+  std::unique_ptr<vtkMTSharedIds> SharedIds;
+  vtkMTRecordSpool Fragments; // by region, with their orientation
+};
+
+#endif

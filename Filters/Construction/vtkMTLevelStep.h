@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTLevelStep
+ * @brief what the two steps of a level have in common: settings, sink, state and how they fail
+ *
+ * One step puts patches in the place of fragments (vtkMTSplitStep), the other one fragments in the place of patches
+ * (vtkMTSimplifyStep). The level loop takes turns.
+ */
+#ifndef vtkMTLevelStep_h
+#define vtkMTLevelStep_h
+
+#include "vtkMTBuildSettings.h"
+#include "vtkMTBuildState.h"
+#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTOrderedWork.h"
+#include "vtkMTPatchSink.h"
+#include "vtkMTStageTimes.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class VTKMTCONSTRUCTION_EXPORT vtkMTLevelStep
+{
+public:
+  vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state);
+  virtual ~vtkMTLevelStep();
+
+  /// False with a message in GetError.
+  virtual bool Run() = 0;
+
+  const std::string& GetError() const { return this->Error; }
+  bool WasAborted() const { return this->Aborted; }
+
+protected:
+  using Bytes = std::vector<unsigned char>;
+
+  /// A patch on its way to the sink.
+  struct PatchToWrite
+  {
+    vtkMTArc Arc;
+    std::unique_ptr<vtkMTPatchSink::PreparedPatch> Patch;
+  };
+
+  bool Fail(const std::string& error);
+  /// Reports progress; false when the work is to stop.
+  bool Continue(const char* step, std::uint64_t triangles);
+  bool ForAll(std::size_t count, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
+  std::size_t GetNumberOfSlots() const { return vtkMTOrderedWork::GetNumberOfSlots(this->Options.Threads); }
+
+  ///@{
+  /// By any thread: the fragment's mesh; what the sink makes of a patch, which loses its reach. By one thread: the arc
+  /// and its patch.
+  bool TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& isEmpty, std::string& error) const;
+  bool PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const;
+  bool WritePatch(PatchToWrite&& patch, std::uint32_t fromNode, std::uint32_t toNode, std::string& error);
+  ///@}
+
+  const vtkMTBuildSettings& Options;
+  vtkMTPatchSink& Sink;
+  vtkMTBuildState& State;
+  std::string Error;
+
+private:
+  bool Aborted = false;
+};
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTSplitStep.h"
+
+#include "vtkMTLocks.h"
+#include "vtkMTPartitionStrategy.h"
+#include "vtkMTPatchRecord.h"
+#include "vtkMTPatchSplitter.h"
+#include "vtkMTSliverMerge.h"
+
+#include <algorithm>
+#include <cmath>
+
+using Barycentre = vtkMTBarycentreSpool::Barycentre;
+
+std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
+{
+  vtkMTBarycentreSpool& scan = this->State.Barycentres;
+  const int level = static_cast<int>(this->State.Level) + 1;
+  const vtkMTStageTimes::Scope seed(this->Options.Times, vtkMTStageTimes::Seed, true);
+  scan.SetContinue([this] { return this->Continue("placing regions", 0); });
+  auto partition = this->Options.Partition->Build(scan, 2.0 * this->Options.GetRegionTarget(), level);
+  if (!partition)
+  {
+    this->Error = this->WasAborted()
+      ? "aborted"
+      : "the partition of level " + std::to_string(level) + " could not be made: " + scan.GetError();
+  }
+  else if (partition->GetNumberOfRegions() > vtkMTPatchSplitter::MaximumRegions)
+  {
+    this->Error = "the partition of level " + std::to_string(level) + " has more regions than identities allow";
+    partition.reset();
+  }
+  return partition;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTSplitStep::Run()
+{
+  vtkMTBuildState& state = this->State;
+  const auto partition = this->MakePartition();
+  if (!partition)
+  {
+    return false;
+  }
+  if (!state.Patches.Begin(*this->Options.Store, vtkMTBuildState::GetPatchesName(state.Level),
+        partition->GetNumberOfRegions(), this->Error))
+  {
+    return false;
+  }
+  // Nodes of the next level are numbered when their region is simplified: until then arcs hold the region.
+  state.FirstArcOfLevel = state.Arcs.size();
+  std::uint64_t triangles = 0;
+  std::vector<Result> splits(this->GetNumberOfSlots());
+  vtkMTLocks locks(*this->Options.Store, this->Options.SortMemory);
+  const bool done = this->ForAll(
+    state.NodeOfFragment.size(),
+    [&](std::size_t fragment, std::size_t slot, std::string& error)
+    {
+      const vtkMTStageTimes::Scope assemble(this->Options.Times, vtkMTStageTimes::Assemble);
+      return this->SplitFragment(*partition, fragment, splits[slot], error);
+    },
+    [&](std::size_t fragment, std::size_t slot, std::string& error)
+    {
+      const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
+      triangles += splits[slot].Triangles;
+      return this->PutPieces(state.NodeOfFragment[fragment], splits[slot], error) &&
+        locks.Add(splits[slot].Uses, error) && this->Continue("cutting patches", triangles);
+    });
+  const vtkMTStageTimes::Scope sort(this->Options.Times, vtkMTStageTimes::Sort);
+  if (!done || !locks.Finish(state.Patches, this->Error) || !state.Patches.Seal(this->Error))
+  {
+    return false;
+  }
+  state.NextRegions = 0;
+  for (std::size_t a = static_cast<std::size_t>(state.FirstArcOfLevel); a < state.Arcs.size(); ++a)
+  {
+    state.NextRegions = std::max(state.NextRegions, state.Arcs[a].FromNode + 1);
+  }
+  state.Fragments.Remove();
+  state.Barycentres.Remove();
+  state.Stage = vtkMTBuildState::HasPatches;
+  return true;
+}
+
+bool vtkMTSplitStep::SplitFragment(
+  const vtkMTPartition& partition, std::size_t fragment, Result& result, std::string& error) const
+{
+  result = Result();
+  vtkMTPatch mesh;
+  bool isEmpty = false;
+  if (!this->TakeFragment(fragment, mesh, isEmpty, error))
+  {
+    return false;
+  }
+  if (isEmpty || mesh.Triangles.empty())
+  {
+    return true;
+  }
+  const std::vector<Barycentre> barycentres = vtkMTBarycentreSpool::GetBarycentres(mesh);
+  std::vector<std::uint32_t> regions(barycentres.size());
+  {
+    const vtkMTStageTimes::Scope seed(vtkMTStageTimes::Seed);
+    partition.LocateAll(barycentres.data(), barycentres.size(), regions.data());
+  }
+  const double sliver = std::ceil(SliverShare * static_cast<double>(this->Options.PatchTriangles));
+  vtkMTSliverMerge::MergeSlivers(partition, barycentres, static_cast<std::size_t>(sliver), regions);
+  result.Triangles = mesh.Triangles.size();
+  vtkMTPatchSplitter split =
+    vtkMTPatchSplitter::Split(mesh, regions, this->State.Level, static_cast<std::uint32_t>(fragment));
+  result.Uses = std::move(split.Uses);
+  for (vtkMTPatchSplitter::Piece& piece : split.Pieces)
+  {
+    result.Regions.push_back(piece.Region);
+    result.Records.emplace_back();
+    {
+      const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
+      vtkMTPatchRecord::Encode(piece.Patch, result.Records.back());
+    }
+    result.Patches.emplace_back();
+    if (!this->PreparePatch(std::move(piece.Patch), result.Patches.back(), error))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkMTSplitStep::PutPieces(std::uint32_t toNode, Result& result, std::string& error)
+{
+  for (std::size_t i = 0; i < result.Regions.size(); ++i)
+  {
+    const std::uint32_t region = result.Regions[i];
+    if (!this->WritePatch(std::move(result.Patches[i]), region, toNode, error) ||
+      !this->State.Patches.Put(region, result.Records[i].data(), result.Records[i].size(), error))
+    {
+      return false;
+    }
+  }
+  return true;
+}

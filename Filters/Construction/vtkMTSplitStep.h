@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTSplitStep
+ * @brief puts patches in the place of a level's fragments: BMT section 4, the crossing of two partitions
+ *
+ * Places the regions of Psi_(i+1) by the barycentres of M_i and cuts every fragment along them. The pieces are patches:
+ * to the sink for the file, and to the spool of patches under their region, with the list of the region's locks.
+ */
+#ifndef vtkMTSplitStep_h
+#define vtkMTSplitStep_h
+
+#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTLevelStep.h"
+
+#include <utility>
+
+class vtkMTPartition;
+
+class VTKMTCONSTRUCTION_EXPORT vtkMTSplitStep : public vtkMTLevelStep
+{
+public:
+  /// Elements of a crossing below this share of the wanted patch are merged into a neighbour.
+  static constexpr double SliverShare = 0.1;
+
+  using vtkMTLevelStep::vtkMTLevelStep;
+  bool Run() override;
+
+private:
+  /// A fragment's pieces on their way to sink and spool.
+  struct Result
+  {
+    std::size_t Triangles = 0;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> Uses;
+    std::vector<std::uint32_t> Regions; // of the pieces
+    std::vector<PatchToWrite> Patches;
+    std::vector<Bytes> Records;
+  };
+
+  std::unique_ptr<vtkMTPartition> MakePartition();
+  bool SplitFragment(const vtkMTPartition& partition, std::size_t fragment, Result& result, std::string& error) const;
+  bool PutPieces(std::uint32_t toNode, Result& result, std::string& error);
+};
+
+#endif

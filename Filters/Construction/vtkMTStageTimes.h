@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTStageTimes
+ * @brief what a build spends its time with, by stage
+ *
+ * A Scope charges the time of the thread that makes it to a stage, until it ends or another one begins within it: so
+ * every second is charged once. CPU time is the thread's; wall time is summed over threads, so that what it has more
+ * than CPU time is waiting, for the disk as a rule. Two clock readings per scope: for pieces of work, not for loops.
+ */
+#ifndef vtkMTStageTimes_h
+#define vtkMTStageTimes_h
+
+#include "vtkMTConstructionModule.h" // For export macro
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+class VTKMTCONSTRUCTION_EXPORT vtkMTStageTimes
+{
+public:
+  enum StageType
+  {
+    Read,     ///< the input's points and triangles
+    Seed,     ///< barycentres, placing regions, finding triangles' regions
+    Sort,     ///< external sorting, stitching, orientation, locks
+    Assemble, ///< putting fragments and floors together, cutting patches
+    Simplify,
+    Certify, ///< bounding the deviation, and carrying attributes over, which follows its pieces
+    Encode,  ///< patches for the sink, fragments for the spools
+    Write,   ///< spools, checkpoints and the file
+    NumberOfStages
+  };
+  static const char* GetName(StageType stage);
+
+  ///@{
+  /// Seconds.
+  double GetCpuSeconds(StageType stage) const { return 1e-9 * static_cast<double>(this->Cpu[stage]); }
+  double GetWallSeconds(StageType stage) const { return 1e-9 * static_cast<double>(this->Wall[stage]); }
+  ///@}
+
+  class VTKMTCONSTRUCTION_EXPORT Scope
+  {
+  public:
+    /// For the calling thread. times: may be null. forAllThreads: CPU time of the process, while only this thread's
+    /// parallel loops are at work.
+    Scope(vtkMTStageTimes* times, StageType stage, bool forAllThreads = false);
+    /// The same within another scope of this thread, for its times; does nothing without one.
+    explicit Scope(StageType stage);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    void operator=(const Scope&) = delete;
+
+  private:
+    void Begin();
+    void Charge();
+
+    Scope* const Outer;
+    vtkMTStageTimes* const Times;
+    const StageType Stage;
+    const bool IsForAllThreads;
+    std::int64_t CpuBegin = 0;
+    std::int64_t WallBegin = 0;
+  };
+
+private:
+  std::array<std::atomic<std::int64_t>, NumberOfStages> Cpu{}; // nanoseconds
+  std::array<std::atomic<std::int64_t>, NumberOfStages> Wall{};
+};
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Says when a call's TimeBudget is over. Not installed.
+#ifndef vtkMTFrameTimer_h
+#define vtkMTFrameTimer_h
+
+#include "vtkMTExtraction.h"
+
+#include <chrono>
+#include <functional>
+
+class vtkMTFrameTimer
+{
+public:
+  explicit vtkMTFrameTimer(const vtkMTExtraction::Settings& settings)
+    : Budget(settings.TimeBudget)
+    , Clock(settings.Clock)
+    , Start(this->Budget > 0.0 ? this->Now() : 0.0)
+  {
+  }
+
+  bool IsOver() const { return this->Budget > 0.0 && this->Now() - this->Start >= this->Budget; }
+
+private:
+  double Now() const
+  {
+    return this->Clock ? this->Clock()
+                       : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+
+  double Budget;
+  const std::function<double()>& Clock;
+  double Start;
+};
+
+#endif
