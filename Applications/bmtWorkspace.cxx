@@ -24,7 +24,7 @@
 namespace
 {
 // Code that is not in memory yet, thread stacks, what the allocator keeps.
-constexpr std::uint64_t Reserve = std::uint64_t(24) << 20;
+constexpr std::uint64_t Reserve = std::uint64_t(12) << 20;
 
 std::uint64_t ReadNumber(const char* path)
 {

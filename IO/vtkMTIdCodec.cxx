@@ -5,7 +5,7 @@
 
 namespace
 {
-using vtkMTIdCodec::Identities;
+using vtkMTIdCodec::Identity;
 using vtkMTNumberCode::FromZigzag;
 using vtkMTNumberCode::ToZigzag;
 
@@ -15,16 +15,12 @@ std::uint32_t GetHigh(std::uint64_t id)
 }
 
 // The high halves are few (a level and a region): each is said once, as the difference to the one before.
-std::vector<std::uint32_t> AppendHighs(
-  const Identities& identities, const std::vector<std::uint32_t>& borderOrder, std::vector<unsigned char>& side)
+std::vector<std::uint32_t> AppendHighs(const std::vector<Identity>& identities, std::vector<unsigned char>& side)
 {
   std::vector<std::uint32_t> highs;
-  for (const std::uint32_t point : borderOrder)
+  for (const Identity& identity : identities)
   {
-    if (identities.IsShared[point])
-    {
-      highs.push_back(GetHigh(identities.Ids[point]));
-    }
+    highs.push_back(GetHigh(identity.Id));
   }
   std::sort(highs.begin(), highs.end());
   highs.erase(std::unique(highs.begin(), highs.end()), highs.end());
@@ -59,35 +55,26 @@ bool ReadHighs(vtkMTNumberCode::Reader& side, std::uint32_t shared, std::vector<
   return true;
 }
 
-// A run begins at `begin`: where it ends, and by what its identities grow.
-struct Run
+// Where the run of identities ends that begins at `begin`, and by what they grow. isNext(i): whether the point of
+// identity i follows that of the one before in border order.
+template <class IsNext>
+std::size_t FindEnd(
+  const std::vector<Identity>& identities, std::size_t begin, const IsNext& isNext, std::uint64_t& step)
 {
-  std::size_t End;
-  bool IsShared;
-  std::uint64_t Step = 1;
-
-  Run(const Identities& identities, const std::vector<std::uint32_t>& order, std::size_t begin)
-    : End(begin + 1)
-    , IsShared(identities.IsShared[order[begin]] != 0)
+  const auto id = [&](std::size_t i) { return identities[i].Id; };
+  std::size_t end = begin + 1;
+  step = 1;
+  if (end < identities.size() && isNext(end) && id(end) == id(begin) - 1)
   {
-    const auto id = [&](std::size_t i) { return identities.Ids[order[i]]; };
-    const auto isGoingOn = [&]
-    {
-      return (identities.IsShared[order[this->End]] != 0) == this->IsShared &&
-        (!this->IsShared ||
-          (id(this->End) == id(this->End - 1) + this->Step && GetHigh(id(this->End)) == GetHigh(id(begin))));
-    };
-    if (this->End < order.size() && this->IsShared && identities.IsShared[order[this->End]] &&
-      id(this->End) == id(begin) - 1)
-    {
-      this->Step = ~std::uint64_t(0);
-    }
-    while (this->End < order.size() && isGoingOn())
-    {
-      ++this->End;
-    }
+    step = ~std::uint64_t(0);
   }
-};
+  while (end < identities.size() && isNext(end) && id(end) == id(end - 1) + step &&
+    GetHigh(id(end)) == GetHigh(id(begin)))
+  {
+    ++end;
+  }
+  return end;
+}
 }
 
 namespace vtkMTIdCodec
@@ -96,89 +83,111 @@ std::vector<std::uint32_t> GetBorderOrder(
   const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& wedgePoints, std::size_t points)
 {
   std::vector<unsigned char> isMet(points, 0);
-  std::vector<std::uint32_t> order(points);
-  std::size_t met = 0;
+  std::vector<std::uint32_t> order;
+  order.reserve(border.size());
   for (const std::uint32_t vertex : border)
   {
     const std::uint32_t point = wedgePoints.empty() ? vertex : wedgePoints[vertex];
-    order[met] = point;
-    met += isMet[point] ? 0 : 1;
-    isMet[point] = 1;
-    if (met == points)
+    if (!isMet[point])
     {
-      return order;
+      isMet[point] = 1;
+      order.push_back(point);
     }
-  }
-  for (std::uint32_t point = 0; met < points; ++point)
-  {
-    order[met] = point;
-    met += isMet[point] ? 0 : 1;
   }
   return order;
 }
 
-void Append(
-  const Identities& identities, const std::vector<std::uint32_t>& borderOrder, std::vector<unsigned char>& side)
+void AppendOthers(std::vector<std::uint32_t>& borderOrder, std::size_t points)
 {
-  auto left = std::count(identities.IsShared.begin(), identities.IsShared.end(), 1);
-  const std::vector<std::uint32_t> highs = AppendHighs(identities, borderOrder, side);
-  std::vector<std::uint32_t> before(highs.size(), 0);
-  for (std::size_t i = 0; left > 0;)
+  std::vector<unsigned char> isMet(points, 0);
+  for (const std::uint32_t point : borderOrder)
   {
-    const Run run(identities, borderOrder, i);
-    const std::uint64_t id = identities.Ids[borderOrder[i]];
-    const auto high = static_cast<std::size_t>(
-      std::lower_bound(highs.begin(), highs.end(), run.IsShared ? GetHigh(id) : 0) - highs.begin());
-    vtkMTNumberCode::Append(side, run.IsShared ? 1 + 2 * high + (run.Step == 1 ? 0 : 1) : 0);
-    vtkMTNumberCode::Append(side, run.End - i - 1);
-    if (run.IsShared)
+    isMet[point] = 1;
+  }
+  borderOrder.reserve(points);
+  for (std::uint32_t point = 0; point < points; ++point)
+  {
+    if (!isMet[point])
     {
-      vtkMTNumberCode::Append(side, ToZigzag(static_cast<std::uint32_t>(id) - before[high]));
-      before[high] = static_cast<std::uint32_t>(identities.Ids[borderOrder[run.End - 1]]);
-      left -= static_cast<std::ptrdiff_t>(run.End - i);
+      borderOrder.push_back(point);
     }
-    i = run.End;
   }
 }
 
-bool Read(vtkMTNumberCode::Reader& side, const std::vector<std::uint32_t>& borderOrder, std::uint32_t shared,
-  Identities& identities)
+void Append(const std::vector<Identity>& identities, const std::vector<std::uint32_t>& borderOrder,
+  std::vector<unsigned char>& side)
+{
+  const std::vector<std::uint32_t> highs = AppendHighs(identities, side);
+  std::vector<std::uint32_t> before(highs.size(), 0);
+  std::vector<std::uint32_t> place(borderOrder.size());
+  for (std::uint32_t i = 0; i < place.size(); ++i)
+  {
+    place[borderOrder[i]] = i;
+  }
+  const auto isNext = [&](std::size_t i) { return place[identities[i].Point] == place[identities[i - 1].Point] + 1; };
+  std::uint32_t at = 0;
+  for (std::size_t i = 0; i < identities.size();)
+  {
+    const std::uint32_t here = place[identities[i].Point];
+    if (here > at)
+    {
+      vtkMTNumberCode::Append(side, 0);
+      vtkMTNumberCode::Append(side, here - at - 1);
+    }
+    std::uint64_t step = 0;
+    const std::size_t end = FindEnd(identities, i, isNext, step);
+    const auto high = static_cast<std::size_t>(
+      std::lower_bound(highs.begin(), highs.end(), GetHigh(identities[i].Id)) - highs.begin());
+    vtkMTNumberCode::Append(side, 1 + 2 * high + (step == 1 ? 0 : 1));
+    vtkMTNumberCode::Append(side, end - i - 1);
+    vtkMTNumberCode::Append(side, ToZigzag(static_cast<std::uint32_t>(identities[i].Id) - before[high]));
+    before[high] = static_cast<std::uint32_t>(identities[end - 1].Id);
+    at = here + static_cast<std::uint32_t>(end - i);
+    i = end;
+  }
+}
+
+bool Read(vtkMTNumberCode::Reader& side, std::vector<std::uint32_t>& borderOrder, std::size_t points,
+  std::uint32_t shared, std::vector<Identity>& identities)
 {
   std::vector<std::uint32_t> highs;
   if (!ReadHighs(side, shared, highs))
   {
     return false;
   }
-  identities.IsShared.assign(borderOrder.size(), 0);
-  identities.Ids.resize(borderOrder.size());
+  identities.reserve(shared);
   std::vector<std::uint32_t> before(highs.size(), 0);
   std::size_t at = 0;
-  while (shared > 0)
+  while (identities.size() < shared)
   {
     std::uint64_t kind = 0;
     std::uint64_t more = 0;
     std::uint64_t code = 0;
-    if (!side.Get(kind) || !side.Get(more) || more >= borderOrder.size() - at)
+    if (!side.Get(kind) || !side.Get(more) || more >= points - at)
     {
       return false;
     }
+    const std::size_t end = at + static_cast<std::size_t>(more) + 1;
+    if (end > borderOrder.size())
+    {
+      AppendOthers(borderOrder, points);
+    }
     if (kind == 0)
     {
-      at += static_cast<std::size_t>(more) + 1;
+      at = end;
       continue;
     }
     const std::uint64_t high = (kind - 1) / 2;
-    if (high >= highs.size() || more >= shared || !side.Get(code) || code > 0xffffffffu)
+    if (high >= highs.size() || more >= shared - identities.size() || !side.Get(code) || code > 0xffffffffu)
     {
       return false;
     }
     const std::uint32_t step = kind % 2 != 0 ? 1 : ~std::uint32_t(0);
     std::uint32_t low = before[high] + FromZigzag(static_cast<std::uint32_t>(code)) - step;
-    for (const std::size_t end = at + static_cast<std::size_t>(more) + 1; at < end; ++at, --shared)
+    for (; at < end; ++at)
     {
       low += step;
-      identities.IsShared[borderOrder[at]] = 1;
-      identities.Ids[borderOrder[at]] = (std::uint64_t(highs[high]) << 32) | low;
+      identities.push_back({ borderOrder[at], (std::uint64_t(highs[high]) << 32) | low });
     }
     before[high] = low;
   }

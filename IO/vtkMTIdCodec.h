@@ -17,24 +17,27 @@
 
 namespace vtkMTIdCodec
 {
-/// The points on the border, each once, then all others in stream order. border: vertices, which may be there more than
-/// once; wedgePoints: their points, or empty when they are the points.
+/// The points on the border, each once. border: vertices, which may be there more than once; wedgePoints: their points,
+/// or empty when they are the points. All others follow in stream order; AppendOthers puts them there.
 std::vector<std::uint32_t> GetBorderOrder(
   const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& wedgePoints, std::size_t points);
+void AppendOthers(std::vector<std::uint32_t>& borderOrder, std::size_t points);
 
-/// What is said of all points, in stream order.
-struct Identities
+/// Of the points that are shared, in any order.
+struct Identity
 {
-  std::vector<unsigned char> IsShared;
-  std::vector<std::uint64_t> Ids; ///< of the points that are shared; of no meaning elsewhere
+  std::uint32_t Point; ///< in stream order
+  std::uint64_t Id;
 };
 
-void Append(
-  const Identities& identities, const std::vector<std::uint32_t>& borderOrder, std::vector<unsigned char>& side);
+/// identities: of points of borderOrder, which holds all points, in the order of it.
+void Append(const std::vector<Identity>& identities, const std::vector<std::uint32_t>& borderOrder,
+  std::vector<unsigned char>& side);
 
-/// `shared` of the points of borderOrder get an identity. False when the bytes are no such runs.
-bool Read(vtkMTNumberCode::Reader& side, const std::vector<std::uint32_t>& borderOrder, std::uint32_t shared,
-  Identities& identities);
+/// Gives the identities of `shared` points. borderOrder is completed when it is needed. False when the bytes are no such
+/// runs.
+bool Read(vtkMTNumberCode::Reader& side, std::vector<std::uint32_t>& borderOrder, std::size_t points,
+  std::uint32_t shared, std::vector<Identity>& identities);
 }
 
 #endif

@@ -78,17 +78,21 @@ struct Known
       order.Patch.GetNumberOfWedges(), triangles, this->Bases, border);
     this->Bases = order.WedgePoints.empty() ? this->Bases : ToPoints(this->Bases, order.WedgePoints);
     this->BorderOrder = vtkMTIdCodec::GetBorderOrder(border, order.WedgePoints, order.PointOfStream.size());
+    vtkMTIdCodec::AppendOthers(this->BorderOrder, order.PointOfStream.size());
   }
 };
 
-vtkMTIdCodec::Identities GetIdentities(const vtkMTPatchOrder& order)
+std::vector<vtkMTIdCodec::Identity> GetIdentities(
+  const vtkMTPatchOrder& order, const std::vector<std::uint32_t>& borderOrder)
 {
-  vtkMTIdCodec::Identities identities;
-  const std::vector<std::uint64_t>& ids = order.Patch.Ids;
-  for (const std::uint32_t place : order.PointOfStream)
+  std::vector<vtkMTIdCodec::Identity> identities;
+  for (const std::uint32_t point : borderOrder)
   {
-    identities.IsShared.push_back(place < ids.size() ? 1 : 0);
-    identities.Ids.push_back(place < ids.size() ? ids[place] : 0);
+    const std::uint32_t place = order.PointOfStream[point];
+    if (place < order.Patch.Ids.size())
+    {
+      identities.push_back({ point, order.Patch.Ids[place] });
+    }
   }
   return identities;
 }
@@ -128,7 +132,7 @@ struct Side
   std::vector<vtkMTTriangle> Triangles;
   vtkMTPositionCodec::Bases Bases; // of wedges
   std::vector<std::uint32_t> WedgePoints;
-  vtkMTIdCodec::Identities Identities;
+  std::vector<vtkMTIdCodec::Identity> Identities;
   vtkMTPositionCodec::Source Positions{};
 
   // bits: what follows the side stream.
@@ -147,8 +151,8 @@ struct Side
     {
       return false;
     }
-    const std::vector<std::uint32_t> order = vtkMTIdCodec::GetBorderOrder(border, this->WedgePoints, record.Points);
-    if (!vtkMTIdCodec::Read(side, order, record.SharedPoints, this->Identities))
+    std::vector<std::uint32_t> order = vtkMTIdCodec::GetBorderOrder(border, this->WedgePoints, record.Points);
+    if (!vtkMTIdCodec::Read(side, order, record.Points, record.SharedPoints, this->Identities))
     {
       return false;
     }
@@ -169,20 +173,24 @@ struct Side
   }
 };
 
-void Place(Side& side, const std::vector<vtkMTPoint>& streamPoints, std::size_t shared, vtkMTPatch& patch)
+void Place(Side& side, const std::vector<vtkMTPoint>& streamPoints, vtkMTPatch& patch)
 {
-  const std::vector<unsigned char>& isShared = side.Identities.IsShared;
+  std::vector<unsigned char> isShared(streamPoints.size(), 0);
+  for (const vtkMTIdCodec::Identity& identity : side.Identities)
+  {
+    isShared[identity.Point] = 1;
+  }
   const std::vector<std::uint32_t> pointOfStream = vtkMTPatchOrder::PlacePoints(isShared);
   const std::vector<std::uint32_t> wedgeOfStream = vtkMTPatchOrder::PlaceWedges(side.WedgePoints, pointOfStream);
+  patch.Ids.resize(side.Identities.size());
+  for (const vtkMTIdCodec::Identity& identity : side.Identities)
+  {
+    patch.Ids[pointOfStream[identity.Point]] = identity.Id;
+  }
   patch.Points.resize(streamPoints.size());
-  patch.Ids.resize(shared);
   for (std::size_t i = 0; i < streamPoints.size(); ++i)
   {
     patch.Points[pointOfStream[i]] = streamPoints[i];
-    if (isShared[i])
-    {
-      patch.Ids[pointOfStream[i]] = side.Identities.Ids[i];
-    }
   }
   patch.WedgePoints.resize(side.WedgePoints.size());
   for (std::size_t w = 0; w < side.WedgePoints.size(); ++w)
@@ -216,7 +224,7 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
   Append(side, order.Names.size());
   side.insert(side.end(), order.Names.begin(), order.Names.end());
   AppendWedges(order.WedgePoints, side);
-  vtkMTIdCodec::Append(GetIdentities(order), known.BorderOrder, side);
+  vtkMTIdCodec::Append(GetIdentities(order, known.BorderOrder), known.BorderOrder, side);
   side.insert(side.end(), packed.Coarse.begin(), packed.Coarse.end());
   side.insert(side.end(), packed.Parameters.begin(), packed.Parameters.end());
   Append(side, packed.Bits[0].size());
@@ -282,7 +290,7 @@ bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64
     error = "has positions of an impossible length";
     return false;
   }
-  Place(side, points, record.SharedPoints, patch);
+  Place(side, points, patch);
   return true;
 }
 }

@@ -182,7 +182,11 @@ std::vector<std::uint32_t> vtkMTPatchOrder::PlacePoints(const std::vector<unsign
   std::uint32_t own = static_cast<std::uint32_t>(std::count(isShared.begin(), isShared.end(), 1));
   for (std::size_t i = 0; i < place.size(); ++i)
   {
-    place[i] = isShared[i] ? shared++ : own++;
+    // Without a branch, as nobody can guess which way it goes.
+    const std::uint32_t one = isShared[i] ? 1 : 0;
+    place[i] = one != 0 ? shared : own;
+    shared += one;
+    own += 1 - one;
   }
   return place;
 }

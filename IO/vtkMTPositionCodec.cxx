@@ -42,6 +42,26 @@ struct Expectation
   }
 };
 
+// Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way, as
+// nobody can guess which.
+struct Rounding
+{
+  unsigned Shift;
+  std::uint32_t Half;
+  std::uint32_t Kept;
+
+  Rounding(unsigned shift, bool isCoarse)
+    : Shift(isCoarse ? shift : 0)
+    , Half((1u << this->Shift) >> 1)
+    , Kept(~std::uint32_t(0) << this->Shift)
+  {
+  }
+  std::uint32_t Apply(std::uint32_t expected, std::uint32_t difference) const
+  {
+    return ((expected + this->Half) & this->Kept) + (difference << this->Shift);
+  }
+};
+
 // How many low bits are zero in all three coordinates.
 unsigned CountZeros(const vtkMTPoint& p)
 {
@@ -145,15 +165,24 @@ public:
     , Size(size)
   {
   }
+  // Whether so many codes can be loaded without a look at the end, however long they are.
+  bool HasCodes(std::size_t count) const { return this->Position / 8 + 8 * count + 8 <= this->Size; }
+  std::uint32_t GetInside(unsigned parameter)
+  {
+    std::uint64_t word;
+    std::memcpy(&word, this->Bytes + this->Position / 8, sizeof(word));
+    return this->Cut(word, parameter);
+  }
   // Behind the end there are zeros; IsAtEnd tells.
   std::uint32_t Get(unsigned parameter)
   {
-    const std::uint64_t word = this->Load();
-    const auto ones = static_cast<unsigned>(__builtin_ctzll(~word | TooManyOnes));
-    const std::uint64_t low = (word >> (ones + 1)) & ((std::uint64_t(1) << parameter) - 1);
-    this->HasTooMany |= ones > vtkMTPositionCodec::MostOnes;
-    this->Position += ones + 1 + parameter;
-    return static_cast<std::uint32_t>((std::uint64_t(ones) << parameter) | low);
+    const std::size_t byte = this->Position / 8;
+    std::uint64_t word = 0;
+    if (byte < this->Size)
+    {
+      std::memcpy(&word, this->Bytes + byte, std::min(sizeof(word), this->Size - byte));
+    }
+    return this->Cut(word, parameter);
   }
   // Whether so many bits were there, and nothing but the zeros that fill the last byte are left.
   bool IsAtEnd() const
@@ -166,19 +195,14 @@ private:
   // A bit that ends every run of ones.
   static constexpr std::uint64_t TooManyOnes = std::uint64_t(1) << (vtkMTPositionCodec::MostOnes + 1);
 
-  std::uint64_t Load() const
+  std::uint32_t Cut(std::uint64_t word, unsigned parameter)
   {
-    const std::size_t byte = this->Position / 8;
-    std::uint64_t word = 0;
-    if (byte + sizeof(word) <= this->Size)
-    {
-      std::memcpy(&word, this->Bytes + byte, sizeof(word));
-    }
-    else if (byte < this->Size)
-    {
-      std::memcpy(&word, this->Bytes + byte, this->Size - byte);
-    }
-    return word >> (this->Position % 8);
+    word >>= this->Position % 8;
+    const auto ones = static_cast<unsigned>(__builtin_ctzll(~word | TooManyOnes));
+    const std::uint64_t low = (word >> (ones + 1)) & ((std::uint64_t(1) << parameter) - 1);
+    this->HasTooMany |= ones > vtkMTPositionCodec::MostOnes;
+    this->Position += ones + 1 + parameter;
+    return static_cast<std::uint32_t>((std::uint64_t(ones) << parameter) | low);
   }
 
   const unsigned char* Bytes;
@@ -186,6 +210,35 @@ private:
   std::size_t Position = 0;
   bool HasTooMany = false;
 };
+
+using Codes = std::array<std::array<std::uint32_t, 3>, vtkMTPositionCodec::BlockSize>;
+
+// The three lists side by side, as no code is known to begin before the one before it is read.
+void ReadBlock(CodeReader (&readers)[3], const unsigned char* parameters, std::size_t blocks, std::size_t count,
+  Codes& codes)
+{
+  CodeReader x = readers[0];
+  CodeReader y = readers[1];
+  CodeReader z = readers[2];
+  const unsigned k[3] = { parameters[0], parameters[blocks], parameters[2 * blocks] };
+  if (x.HasCodes(count) && y.HasCodes(count) && z.HasCodes(count))
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      codes[i] = { x.GetInside(k[0]), y.GetInside(k[1]), z.GetInside(k[2]) };
+    }
+  }
+  else
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      codes[i] = { x.Get(k[0]), y.Get(k[1]), z.Get(k[2]) };
+    }
+  }
+  readers[0] = x;
+  readers[1] = y;
+  readers[2] = z;
+}
 }
 
 namespace vtkMTPositionCodec
@@ -243,21 +296,20 @@ bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, 
   }
   CodeReader readers[3] = { { source.Bits[0], source.BitsSize[0] }, { source.Bits[1], source.BitsSize[1] },
     { source.Bits[2], source.BitsSize[2] } };
+  Codes codes;
   for (std::size_t block = 0; block < blocks; ++block)
   {
-    const unsigned parameters[3] = { source.Parameters[block], source.Parameters[blocks + block],
-      source.Parameters[2 * blocks + block] };
-    const std::size_t end = std::min(points.size(), (block + 1) * BlockSize);
-    for (std::size_t i = block * BlockSize; i < end; ++i)
+    const std::size_t begin = block * BlockSize;
+    const std::size_t count = std::min(BlockSize, points.size() - begin);
+    ReadBlock(readers, source.Parameters + block, blocks, count, codes);
+    for (std::size_t i = begin; i < begin + count; ++i)
     {
       const Expectation expected(points, bases, i, corner);
-      const bool isCoarse = source.Shift > 0 && GetBit(source.Coarse, i);
+      const Rounding rounding(source.Shift, source.Shift > 0 && GetBit(source.Coarse, i));
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const std::uint32_t difference = FromZigzag(readers[axis].Get(parameters[axis]));
         points[i][axis] =
-          static_cast<std::int32_t>(isCoarse ? (Coarsen(expected.Get(axis), source.Shift) + difference) << source.Shift
-                                             : expected.Get(axis) + difference);
+          static_cast<std::int32_t>(rounding.Apply(expected.Get(axis), FromZigzag(codes[i - begin][axis])));
       }
     }
   }

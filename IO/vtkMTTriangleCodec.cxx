@@ -4,6 +4,7 @@
 #include "vtkMTNumberCode.h"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -25,8 +26,9 @@ enum Step : unsigned
 constexpr unsigned NumberOfSteps = 6;
 
 //------------------------------------------------------------------------------
-// The front: gates in doubly linked loops, and a stack of those that were not asked yet. Gates behind which there is
-// nothing stay in their loop as the border that they are.
+// The front: gates in doubly linked loops, and those that were not asked yet: a queue with the ones of the present cell,
+// and a stack with those that earlier cells have left. Gates behind which there is nothing stay in their loop as the
+// border that they are.
 class Front
 {
 public:
@@ -48,23 +50,25 @@ public:
 
   Front(std::size_t triangles, std::size_t vertices)
     : Gates(new Gate[3 * triangles]) // a triangle makes three at most
+    , Queue(new std::uint32_t[3 * triangles])
     , Stack(new std::uint32_t[3 * triangles])
     , GateFrom(vertices, None)
   {
   }
 
-  // The latest open gate; None when there is none.
+  // The open gate whose turn it is; None when there is none.
   std::uint32_t Pop()
   {
-    while (this->StackSize > 0)
+    while (this->TakenInCell < vtkMTTriangleCodec::CellSize && this->QueueHead < this->QueueTail)
     {
-      const std::uint32_t gate = this->Stack[--this->StackSize];
+      const std::uint32_t gate = this->Queue[this->QueueHead++];
       if (this->IsOpen(gate))
       {
+        ++this->TakenInCell;
         return gate;
       }
     }
-    return None;
+    return this->BeginCell();
   }
 
   const Gate& Get(std::uint32_t gate) const { return this->Gates[gate]; }
@@ -81,9 +85,9 @@ public:
       this->Gates[gate].Previous = first + (c + 2) % 3;
       this->Gates[gate].Next = first + (c + 1) % 3;
     }
-    this->Push(first + 2);
-    this->Push(first + 1);
     this->Push(first);
+    this->Push(first + 1);
+    this->Push(first + 2);
   }
 
   void MakeBorder(std::uint32_t gate) { this->Gates[gate].State = Border; }
@@ -152,7 +156,28 @@ public:
   }
 
 private:
-  void Push(std::uint32_t gate) { this->Stack[this->StackSize++] = gate; }
+  void Push(std::uint32_t gate) { this->Queue[this->QueueTail++] = gate; }
+  // What is left of the last cell goes onto the stack, the oldest gate last, and the new one begins at its top.
+  std::uint32_t BeginCell()
+  {
+    while (this->QueueTail > this->QueueHead)
+    {
+      const std::uint32_t gate = this->Queue[--this->QueueTail];
+      this->Stack[this->StackSize] = gate;
+      this->StackSize += this->IsOpen(gate) ? 1 : 0;
+    }
+    this->TakenInCell = 1;
+    while (this->StackSize > 0)
+    {
+      const std::uint32_t gate = this->Stack[--this->StackSize];
+      if (this->IsOpen(gate))
+      {
+        return gate;
+      }
+    }
+    this->TakenInCell = 0;
+    return None;
+  }
   // Field by field: a gate that was copied as a whole could not be read again before the copy is through.
   std::uint32_t Add(std::uint32_t from, std::uint32_t to, std::uint32_t across)
   {
@@ -181,8 +206,12 @@ private:
   }
 
   std::unique_ptr<Gate[]> Gates;
+  std::unique_ptr<std::uint32_t[]> Queue; // every gate goes through it once
   std::unique_ptr<std::uint32_t[]> Stack;
   std::uint32_t Count = 0;
+  std::uint32_t TakenInCell = 0;
+  std::size_t QueueHead = 0;
+  std::size_t QueueTail = 0;
   std::size_t StackSize = 0;
   std::vector<std::uint32_t> GateFrom; // the latest that leaves a vertex
 };
@@ -275,6 +304,15 @@ public:
 private:
   void Fill()
   {
+    if (this->At + sizeof(std::uint32_t) <= this->Size)
+    {
+      std::uint32_t more;
+      std::memcpy(&more, this->Bytes + this->At, sizeof(more));
+      this->Pending |= std::uint64_t(more) << this->Have;
+      this->At += sizeof(more);
+      this->Have += 8 * sizeof(more);
+      return;
+    }
     while (this->Have <= 56 && this->At < this->Size)
     {
       this->Pending |= std::uint64_t(this->Bytes[this->At++]) << this->Have;
@@ -457,10 +495,11 @@ public:
 
   bool Run(std::vector<vtkMTTriangle>& triangles)
   {
-    for (std::size_t t = 0; t < triangles.size();)
+    vtkMTTriangle* const end = triangles.data() + triangles.size();
+    for (vtkMTTriangle* next = triangles.data(); next != end;)
     {
       const std::uint32_t gate = this->Growing.Pop();
-      if (!(gate == None ? this->Start(triangles[t++]) : this->Cross(gate, triangles, t)))
+      if (!(gate == None ? this->Start(*next++) : this->Cross(gate, next)))
       {
         return false;
       }
@@ -522,7 +561,7 @@ private:
     return true;
   }
 
-  bool Cross(std::uint32_t gate, std::vector<vtkMTTriangle>& triangles, std::size_t& t)
+  bool Cross(std::uint32_t gate, vtkMTTriangle*& next)
   {
     const std::uint32_t from = this->Growing.Get(gate).From;
     const std::uint32_t to = this->Growing.Get(gate).To;
@@ -534,7 +573,7 @@ private:
       this->BorderGates.push_back(gate);
       return true;
     }
-    vtkMTTriangle& triangle = triangles[t++];
+    vtkMTTriangle& triangle = *next++;
     triangle = { to, from, this->Met };
     if (step == New)
     {

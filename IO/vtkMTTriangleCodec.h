@@ -3,12 +3,16 @@
  * The triangles of a patch as steps of a growing front, about two bits each. Not installed.
  *
  * Cut-border coding (Gumhold and Strasser, "Real time compression of triangle mesh connectivity", 1998), made to take
- * every set of triangles. The front is made of *gates*, directed edges of triangles that are known. The latest gate is
- * taken from a stack; the triangle behind it is said by how its third vertex is found: it is new, it is the end of the
- * front's next or previous edge, both at once, or one that was met before and is named; or there is none. When the
- * stack is empty, a triangle starts with three vertices that are named. Vertices are numbered as they are met (the
+ * every set of triangles. The front is made of *gates*, directed edges of triangles that are known. One gate after the
+ * other is taken; the triangle behind it is said by how its third vertex is found: it is new, it is the end of the
+ * front's next or previous edge, both at once, or one that was met before and is named; or there is none. When no
+ * gate is left, a triangle starts with three vertices that are named. Vertices are numbered as they are met (the
  * *stream order*), so nothing else has to be said, and every new vertex comes with the triangle across its gate, from
  * which its place can be expected.
+ *
+ * Gates are taken in the order in which they were made, cell by cell: after so many, what is left waits on a stack and
+ * the next cell grows from one gate of it. Cells are small compact pieces, so the triangles, which are kept in this
+ * order, find most of their vertices in the GPU's vertex cache (Testing/Benchmarks/vertex_cache).
  */
 #ifndef vtkMTTriangleCodec_h
 #define vtkMTTriangleCodec_h
@@ -23,6 +27,7 @@
 namespace vtkMTTriangleCodec
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
+constexpr std::uint32_t CellSize = 64; // gates; smaller cells cost bits, larger ones leave the cache
 
 /// For a vertex in stream order, the gate at which it was met and the vertex across: its place is expected at a + b -
 /// c. With c None it is at a alone; with a None too, nothing is known.

@@ -46,6 +46,11 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
   /// These have none.
   int Threads = 1;
   std::size_t SortMemory = std::size_t(64) << 20; ///< bytes, for all sorts that go on at a time
+  /// Bytes for all regions that are worked on at a time, while nothing is sorted; 0: no limit. And what cutting a
+  /// fragment, or simplifying a region, takes per byte of its records.
+  std::uint64_t WorkMemory = 0;
+  double MemoryPerByteCut = 0.0;
+  double MemoryPerByteSimplified = 0.0;
   vtkMTSpoolStore* Store = nullptr;
   vtkMTStageTimes* Times = nullptr; ///< gets the time that is spent
   /// Called now and then; false stops the work.

@@ -8,6 +8,12 @@
 #include "vtkMTSimplifyStep.h"
 #include "vtkMTSplitStep.h"
 
+#include <cstdlib> // for __GLIBC__
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace
 {
 constexpr std::uint32_t MaximumLevels = 60; // identities have room for 61
@@ -59,6 +65,9 @@ private:
   bool RunStep(vtkMTLevelStep&& step)
   {
     const bool done = step.Run();
+#ifdef __GLIBC__
+    malloc_trim(0); // what the step's threads have freed counts as the process's otherwise
+#endif
     this->Aborted = step.WasAborted();
     return done || this->Fail(step.GetError());
   }

@@ -2,6 +2,7 @@
 #include "vtkMTLevelStep.h"
 
 #include "vtkMTArcRecord.h"
+#include "vtkMTMemoryPlan.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTRegionStep.h"
 
@@ -32,15 +33,43 @@ bool vtkMTLevelStep::Continue(const char* step, std::uint64_t triangles)
   return !this->Aborted || this->Fail("aborted");
 }
 
-bool vtkMTLevelStep::ForAll(std::size_t count, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
+bool vtkMTLevelStep::ForAll(const vtkMTRecordSpool& spool, std::size_t keys, const Room& room,
+  const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
 {
+  vtkMTOrderedWork::Budget budget;
+  budget.Memory = room.Memory;
+  budget.Cost = [&spool, &room](std::size_t key)
+  { return static_cast<std::uint64_t>(room.PerByte * static_cast<double>(spool.GetSize(key))); };
+  if (!this->CheckLargest(spool, keys))
+  {
+    return false;
+  }
   std::string error;
-  if (vtkMTOrderedWork::Run(count, this->Options.Threads, work, take, error))
+  if (vtkMTOrderedWork::Run(keys, this->Options.Threads, budget, work, take, error))
   {
     return true;
   }
   this->Error = error.empty() ? this->Error : error;
   return false;
+}
+
+// Simplifying needs the most: what is too large for that is found before it is cut, so that one message says it all.
+bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t keys)
+{
+  const std::uint64_t limit = this->Options.WorkMemory;
+  std::uint64_t bytes = 0;
+  for (std::size_t key = 0; key < keys && limit > 0; ++key)
+  {
+    bytes = std::max(bytes, spool.GetSize(key));
+  }
+  const double needed = this->Options.MemoryPerByteSimplified * static_cast<double>(bytes);
+  // Fragments of the input are a fifth shorter than their patches; what regions need is estimated on the safe side.
+  const bool isInput = this->State.Stage == vtkMTBuildState::HasFragments && this->State.Level == 0;
+  const auto wanted = static_cast<std::uint64_t>(needed * (isInput ? 1.25 : 0.95));
+  return limit == 0 || wanted <= limit ||
+    this->Fail("the largest region needs about " + vtkMTMemoryPlan::ToText(wanted) + " of memory where " +
+      vtkMTMemoryPlan::ToText(limit) + " are left for it: raise the limit by " +
+      vtkMTMemoryPlan::ToText(wanted - limit));
 }
 
 bool vtkMTLevelStep::TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& isEmpty, std::string& error) const

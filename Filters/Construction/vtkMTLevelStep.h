@@ -45,7 +45,14 @@ protected:
   bool Fail(const std::string& error);
   /// Reports progress; false when the work is to stop.
   bool Continue(const char* step, std::uint64_t triangles);
-  bool ForAll(std::size_t count, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
+  /// All keys of the spool, within so much memory (0: no limit); perByte: bytes that a byte of its records takes.
+  struct Room
+  {
+    std::uint64_t Memory;
+    double PerByte;
+  };
+  bool ForAll(const vtkMTRecordSpool& spool, std::size_t keys, const Room& room, const vtkMTOrderedWork::Work& work,
+    const vtkMTOrderedWork::Work& take);
   std::size_t GetNumberOfSlots() const { return vtkMTOrderedWork::GetNumberOfSlots(this->Options.Threads); }
 
   ///@{
@@ -62,6 +69,8 @@ protected:
   std::string Error;
 
 private:
+  bool CheckLargest(const vtkMTRecordSpool& spool, std::size_t keys);
+
   bool Aborted = false;
 };
 

@@ -2,7 +2,6 @@
 #include "vtkMTMemoryPlan.h"
 
 #include "vtkMTArrayInfo.h"
-#include "vtkMTOrderedWork.h"
 #include "vtkMTTriangleStream.h"
 
 #include <algorithm>
@@ -13,11 +12,18 @@ namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
 
-// Blocks of the input, buffers, code.
-constexpr double Base = 48.0 * MiB;
-// Working on one region: bytes per triangle of its floor; and for what waits to be taken over.
-constexpr double PerFloorTriangle = 2600.0;
-constexpr double PerWaitingTriangle = 400.0;
+// Buffers, and blocks of the input without their values.
+constexpr double Base = 24.0 * MiB;
+// A block of the input, or a piece of its file: triangles, and copies of its values.
+constexpr double BlockTriangles = 65536.0;
+constexpr double CopiesOfBlock = 4.0;
+// Simplifying a region, and cutting a fragment: bytes per triangle, and copies of its values.
+constexpr double PerFloorTriangle = 900.0;
+constexpr double CopiesOfFloor = 5.0;
+constexpr double PerCutTriangle = 300.0;
+constexpr double CopiesOfCut = 4.0;
+// What a record of a patch has per triangle beside values.
+constexpr double PerRecordTriangle = 22.0;
 // The sample, and the seeds' relaxation: bytes per triangle of the mesh.
 constexpr double Sample = 1.5;
 // The DAG's records in builder, graph and sink: bytes per patch.
@@ -35,13 +41,18 @@ vtkMTMemoryPlan::vtkMTMemoryPlan(const vtkMTTriangleStream& input, const vtkMTBu
     (array.Association == vtkMTArrayInfo::Point ? pointValues : cellValues) +=
       static_cast<double>(array.GetTupleSize());
   }
-  const double floor = 2.0 * settings.GetRegionTarget();
   const double values = 1.0 * pointValues + cellValues;
-  const double slots = static_cast<double>(vtkMTOrderedWork::GetNumberOfSlots(settings.Threads));
+  const double ofTriangle = 0.5 * pointValues + cellValues; // there are half as many points
+  const double record = PerRecordTriangle + ofTriangle;
+  this->PerByteSimplified = (PerFloorTriangle + CopiesOfFloor * ofTriangle) / record;
+  this->PerByteCut = (PerCutTriangle + CopiesOfCut * ofTriangle) / record;
+  const double floor = 2.0 * settings.GetRegionTarget();
   const double patches = 2.2 * triangles / static_cast<double>(settings.PatchTriangles) + 16.0;
-  const double fixed = Base + settings.Threads * floor * (PerFloorTriangle + 4.0 * values) +
-    slots * floor * (PerWaitingTriangle + 2.0 * values) + triangles * Sample + patches * PerPatch;
-  this->Fixed = static_cast<std::uint64_t>(fixed);
+  const double standing = Base + BlockTriangles * CopiesOfBlock * values + triangles * Sample + patches * PerPatch;
+  // A region for each thread, and half a one that waits to be taken over.
+  const double work = (settings.Threads + 0.5) * floor * this->PerByteSimplified * record;
+  this->Standing = static_cast<std::uint64_t>(standing);
+  this->Fixed = static_cast<std::uint64_t>(standing + work);
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
   this->Whole = static_cast<std::uint64_t>(16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values));
   // Fragments, patches and barycentres of the finest level, and the model itself: more than at any time before.
@@ -52,6 +63,19 @@ vtkMTMemoryPlan::vtkMTMemoryPlan(const vtkMTTriangleStream& input, const vtkMTBu
 std::size_t vtkMTMemoryPlan::GetSortMemory(std::uint64_t limit) const
 {
   return static_cast<std::size_t>(limit == 0 ? this->Whole : std::min(this->Whole, limit - this->Fixed));
+}
+
+std::uint64_t vtkMTMemoryPlan::GetWorkMemory(std::uint64_t limit) const
+{
+  return limit == 0 ? 0 : limit - this->Standing;
+}
+
+void vtkMTMemoryPlan::Apply(std::uint64_t limit, vtkMTBuildSettings& settings) const
+{
+  settings.SortMemory = this->GetSortMemory(limit);
+  settings.WorkMemory = this->GetWorkMemory(limit);
+  settings.MemoryPerByteSimplified = this->PerByteSimplified;
+  settings.MemoryPerByteCut = this->PerByteCut;
 }
 
 std::string vtkMTMemoryPlan::ToText(std::uint64_t bytes)

@@ -27,8 +27,10 @@ bool Guard(const vtkMTOrderedWork::Work& work, std::size_t index, std::size_t sl
 class Crew
 {
 public:
-  Crew(std::size_t count, std::size_t slots, const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work)
+  Crew(std::size_t count, std::size_t slots, const vtkMTOrderedWork::Budget& budget,
+    const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work)
     : Count(count)
+    , Limit(budget)
     , Results(slots)
     , DoFetch(fetch)
     , DoWork(work)
@@ -66,7 +68,9 @@ public:
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Results[index % this->Results.size()] = Result();
+      Result& result = this->Results[index % this->Results.size()];
+      this->InHand -= result.Cost;
+      result = Result();
       ++this->Taken;
     }
     this->HasRoom.notify_one();
@@ -78,7 +82,17 @@ private:
     bool IsDone = false;
     bool IsGood = false;
     std::string Error;
+    std::uint64_t Cost = 0;
   };
+
+  std::uint64_t GetCost(std::size_t index) const { return this->Limit.Memory > 0 ? this->Limit.Cost(index) : 0; }
+
+  // Whether the next index may be begun.
+  bool HasRoomForNext() const
+  {
+    return this->Next < this->Taken + this->Results.size() &&
+      (this->InHand == 0 || this->Limit.Memory == 0 || this->InHand + this->GetCost(this->Next) <= this->Limit.Memory);
+  }
 
   void WorkOn()
   {
@@ -88,22 +102,23 @@ private:
       // Whoever has the turn takes the next index and fetches for it; the others queue up behind.
       turn.lock();
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->HasRoom.wait(lock,
-        [this]
-        { return this->IsStopped || this->Next == this->Count || this->Next < this->Taken + this->Results.size(); });
+      this->HasRoom.wait(
+        lock, [this] { return this->IsStopped || this->Next == this->Count || this->HasRoomForNext(); });
       if (this->IsStopped || this->Next == this->Count)
       {
         return;
       }
       const std::size_t index = this->Next++;
       const std::size_t slot = index % this->Results.size();
+      const std::uint64_t cost = this->GetCost(index);
+      this->InHand += cost;
       lock.unlock();
       std::string error;
       bool good = !this->DoFetch || Guard(this->DoFetch, index, slot, error);
       turn.unlock();
       good = good && Guard(this->DoWork, index, slot, error);
       lock.lock();
-      this->Results[slot] = { true, good, error };
+      this->Results[slot] = { true, good, error, cost };
       this->HasResult.notify_one();
     }
   }
@@ -122,6 +137,8 @@ private:
   }
 
   const std::size_t Count;
+  const vtkMTOrderedWork::Budget& Limit;
+  std::uint64_t InHand = 0; // cost of what is begun and not yet taken
   std::mutex Turn;
   std::mutex Mutex;
   std::condition_variable HasResult;
@@ -136,16 +153,14 @@ private:
 };
 }
 
-bool vtkMTOrderedWork::Run(std::size_t count, int threads, const Work& work, const Work& take, std::string& error)
+namespace
 {
-  return Run(count, threads, Work(), work, take, error);
-}
-
-bool vtkMTOrderedWork::Run(
-  std::size_t count, int threads, const Work& fetch, const Work& work, const Work& take, std::string& error)
+bool RunWithin(std::size_t count, int threads, const vtkMTOrderedWork::Budget& budget,
+  const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take,
+  std::string& error)
 {
-  const std::size_t slots = GetNumberOfSlots(threads);
-  Crew crew(count, slots, fetch, work);
+  const std::size_t slots = vtkMTOrderedWork::GetNumberOfSlots(threads);
+  Crew crew(count, slots, budget, fetch, work);
   if (threads > 1 && count > 1)
   {
     crew.Start(static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(threads), count)));
@@ -165,4 +180,22 @@ bool vtkMTOrderedWork::Run(
     }
   }
   return true;
+}
+}
+
+bool vtkMTOrderedWork::Run(std::size_t count, int threads, const Work& work, const Work& take, std::string& error)
+{
+  return RunWithin(count, threads, Budget(), Work(), work, take, error);
+}
+
+bool vtkMTOrderedWork::Run(
+  std::size_t count, int threads, const Budget& budget, const Work& work, const Work& take, std::string& error)
+{
+  return RunWithin(count, threads, budget, Work(), work, take, error);
+}
+
+bool vtkMTOrderedWork::Run(
+  std::size_t count, int threads, const Work& fetch, const Work& work, const Work& take, std::string& error)
+{
+  return RunWithin(count, threads, Budget(), fetch, work, take, error);
 }

@@ -28,7 +28,7 @@ bool vtkMTSimplifyStep::Run()
     return false;
   }
   const bool done = this->ForAll(
-    state.NextRegions,
+    state.Patches, state.NextRegions, { this->Options.WorkMemory, this->Options.MemoryPerByteSimplified },
     [&](std::size_t region, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope assemble(this->Options.Times, vtkMTStageTimes::Assemble);

@@ -51,9 +51,12 @@ bool vtkMTSplitStep::Run()
   state.FirstArcOfLevel = state.Arcs.size();
   std::uint64_t triangles = 0;
   std::vector<Result> splits(this->GetNumberOfSlots());
-  vtkMTLocks locks(*this->Options.Store, this->Options.SortMemory);
+  const std::size_t sortMemory = this->Options.SortMemory / 4;
+  vtkMTLocks locks(*this->Options.Store, sortMemory);
+  const Room room{ this->Options.WorkMemory > 0 ? this->Options.WorkMemory - sortMemory : 0,
+    this->Options.MemoryPerByteCut };
   const bool done = this->ForAll(
-    state.NodeOfFragment.size(),
+    state.Fragments, state.NodeOfFragment.size(), room,
     [&](std::size_t fragment, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope assemble(this->Options.Times, vtkMTStageTimes::Assemble);

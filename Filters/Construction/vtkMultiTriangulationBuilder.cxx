@@ -195,7 +195,7 @@ bool vtkMultiTriangulationBuilder::Configure(
       " is the least that would do";
     return false;
   }
-  settings.SortMemory = plan.GetSortMemory(limit);
+  plan.Apply(limit, settings);
   return true;
 }
 

@@ -207,7 +207,8 @@ bool vtkMTPatchArena::Allocate(Slot& slot)
   { return space.GetCapacity() - space.GetUsed() >= size; };
   if (!done && hasRoom(this->VertexSpace, slot.Vertices) && hasRoom(this->TriangleSpace, slot.Triangles))
   {
-    this->LayOut({ this->VertexSpace.GetCapacity(), this->TriangleSpace.GetCapacity() });
+    this->CloseGaps(Vertices);
+    this->CloseGaps(Triangles);
     done = attempt();
   }
   return done;
@@ -240,7 +241,7 @@ std::uint64_t vtkMTPatchArena::GetPeak(const std::array<std::uint64_t, 2>& capac
   return peak;
 }
 
-// Gives the arena these capacities and closes the gaps between slots.
+// Gives the arena these capacities. Only at the begin of a frame: the new arena may be empty.
 void vtkMTPatchArena::LayOut(const std::array<std::uint64_t, 2>& capacities)
 {
   while ((this->VertexSpace.GetUsed() > capacities[0] || this->TriangleSpace.GetUsed() > capacities[1]) &&
@@ -287,6 +288,62 @@ std::vector<vtkMTPatchArena::Move> vtkMTPatchArena::Place(DomainType domain, std
     }
   }
   return moves;
+}
+
+// Moves slots down within their buffers, so that no more bytes are needed than there are. A slot that would move by a
+// small share of its size only stays, for its copy would be cut into many parts: source and target may not overlap.
+void vtkMTPatchArena::CloseGaps(DomainType domain)
+{
+  constexpr std::uint64_t MostParts = 16;
+  vtkMTRangeAllocator& space = domain == Vertices ? this->VertexSpace : this->TriangleSpace;
+  space.Reset(space.GetCapacity());
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> gaps;
+  std::uint64_t end = 0;
+  for (const auto& place : this->GetPlaces(domain))
+  {
+    Slot& slot = this->Slots.at(place.second);
+    const std::uint64_t count = domain == Vertices ? slot.Vertices : slot.Triangles;
+    const std::uint64_t gap = place.first - end;
+    if (gap > 0 && gap * MostParts >= count)
+    {
+      this->MoveDown(domain, { place.first, end, count });
+      (domain == Vertices ? slot.FirstVertex : slot.FirstTriangle) = end;
+    }
+    else if (gap > 0)
+    {
+      gaps.emplace_back(space.Allocate(gap), gap);
+      end += gap;
+    }
+    space.Allocate(count);
+    end += count;
+  }
+  for (const auto& gap : gaps)
+  {
+    space.Free(gap.first, gap.second);
+  }
+}
+
+void vtkMTPatchArena::MoveDown(DomainType domain, const Move& move)
+{
+  for (const std::unique_ptr<Stream>& stream : this->Streams)
+  {
+    if (!stream->Buffer || stream->Layout.Domain != domain)
+    {
+      continue;
+    }
+    const std::uint64_t size = stream->Layout.Bytes;
+    const std::uint64_t part = move.From - move.To;
+    glBindBuffer(GL_COPY_READ_BUFFER, static_cast<GLuint>(stream->Buffer->GetHandle()));
+    glBindBuffer(Target, static_cast<GLuint>(stream->Buffer->GetHandle()));
+    for (std::uint64_t done = 0; done < move.Count; done += part)
+    {
+      glCopyBufferSubData(GL_COPY_READ_BUFFER, Target, static_cast<GLintptr>((move.From + done) * size),
+        static_cast<GLintptr>((move.To + done) * size),
+        static_cast<GLsizeiptr>(std::min(part, move.Count - done) * size));
+    }
+  }
+  glBindBuffer(GL_COPY_READ_BUFFER, 0);
+  glBindBuffer(Target, 0);
 }
 
 void vtkMTPatchArena::Rebuild(Stream& stream, const std::vector<Move>& moves, std::uint64_t capacity)

@@ -12,7 +12,7 @@
  * How large it is. BeginFrame says how much the frame draws. Where the arena is too small for that it is laid out anew,
  * with a quarter to spare: new buffers, into which the GPU copies what the old ones hold, so nothing is uploaded again
  * and the CPU waits for nothing. While a frame is put together, room is made by dropping patches that the frame does
- * not use, the least recently used first, and at last by closing the gaps between slots, which is the same layout step.
+ * not use, the least recently used first, and at last by closing the gaps between slots, within the buffers.
  *
  * The limit is hard: all buffers together, the copies of a new layout included, never take more bytes. A layout that
  * would need more for its copies begins empty instead. What does not fit has no slot.
@@ -146,6 +146,8 @@ private:
   std::uint64_t GetPeak(const std::array<std::uint64_t, 2>& capacities) const;
   void LayOut(const std::array<std::uint64_t, 2>& capacities);
   std::vector<Move> Place(DomainType domain, std::uint64_t capacity);
+  void CloseGaps(DomainType domain);
+  void MoveDown(DomainType domain, const Move& move);
   void Rebuild(Stream& stream, const std::vector<Move>& moves, std::uint64_t capacity);
   void Release(Stream& stream);
   bool Allocate(Slot& slot);

@@ -30,6 +30,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -358,6 +359,7 @@ Json Summarise(const std::string& who, std::vector<Row>& rows)
   const auto collect = [&rows](auto get)
   {
     std::vector<double> values;
+    values.reserve(rows.size());
     for (const Row& row : rows)
     {
       values.push_back(static_cast<double>(get(row)));
@@ -552,14 +554,8 @@ bool MakePath(vtkMultiTriangulation* model, const Options& options, FlightPath& 
   path = FlightPath::Make(bounds, model, options.Frames);
   return options.PathOutput.empty() || path.Write(options.PathOutput, error);
 }
-}
-
-int main(int argc, char** argv)
+int Run(const Options& options)
 {
-  Options options;
-  CLI::App app("A flight past a model: what its frames cost");
-  AddOptions(app, options);
-  CLI11_PARSE(app, argc, argv);
   std::string error;
   const auto source = std::make_shared<vtkMTFileSource>();
   vtkNew<vtkMultiTriangulation> model;
@@ -604,4 +600,22 @@ int main(int argc, char** argv)
     std::ofstream(options.Output) << summary.dump(2) << "\n";
   }
   return 0;
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    Options options;
+    CLI::App app("A flight past a model: what its frames cost");
+    AddOptions(app, options);
+    CLI11_PARSE(app, argc, argv);
+    return Run(options);
+  }
+  catch (const std::exception& exception)
+  {
+    std::fprintf(stderr, "%s\n", exception.what());
+    return 1;
+  }
 }

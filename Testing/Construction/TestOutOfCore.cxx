@@ -17,13 +17,16 @@
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulationBuilder.h"
 
+#include "vtkCellArray.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <vector>
@@ -151,6 +154,95 @@ TEST(OutOfCore, LimitThatIsTooSmallSaysTheLeastThatWouldDo)
   EXPECT_TRUE(builder->Build(stream, patches)) << builder->GetErrorMessage();
   EXPECT_EQ(vtkMTMemoryPlan::ToText(1), "1 MiB");
   EXPECT_EQ(vtkMTMemoryPlan::ToText((std::uint64_t(3) << 29) + 1), "1.6 GiB");
+}
+
+namespace
+{
+// Triangles whose barycentres are one point: no partition can take them apart.
+vtkSmartPointer<vtkPolyData> MakeInseparable(int triangles)
+{
+  const vtkNew<vtkPoints> points;
+  const vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < triangles; ++i)
+  {
+    const double angle = 3.0 * i / triangles;
+    const double x = std::cos(angle);
+    const double y = std::sin(angle);
+    const vtkIdType first = points->InsertNextPoint(x, y, 1e-4 * i);
+    points->InsertNextPoint(-0.5 * x - 0.01 * y, -0.5 * y + 0.01 * x, -0.5e-4 * i);
+    points->InsertNextPoint(-0.5 * x + 0.01 * y, -0.5 * y - 0.01 * x, -0.5e-4 * i);
+    cells->InsertNextCell({ first, first + 1, first + 2 });
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
+bool BuildWithin(vtkPolyData* mesh, std::uint64_t limit, vtkMTPatchStore& patches, std::string& error)
+{
+  vtkMTPolyDataStream stream(mesh);
+  const vtkNew<vtkMultiTriangulationBuilder> builder;
+  builder->SetPatchTriangles(16);
+  builder->SetNumberOfThreads(2);
+  builder->SetMemoryLimit(static_cast<vtkTypeInt64>(limit));
+  const bool built = builder->Build(stream, patches);
+  error = builder->GetErrorMessage();
+  return built;
+}
+}
+
+TEST(OutOfCore, RegionThatIsTooLargeForTheLimitSaysHowMuchIsMissing)
+{
+  const auto mesh = MakeInseparable(60000);
+  vtkMTPolyDataStream stream(mesh);
+  const vtkNew<vtkMultiTriangulationBuilder> builder;
+  builder->SetPatchTriangles(16);
+  builder->SetNumberOfThreads(2);
+  const std::uint64_t least = builder->MakeMemoryPlan(stream).GetLeast();
+  vtkMTPatchStore patches;
+  std::string error;
+  ASSERT_FALSE(BuildWithin(mesh, least, patches, error));
+  const std::string advice = "raise the limit by ";
+  const std::size_t place = error.find(advice);
+  ASSERT_NE(place, std::string::npos) << error;
+  const double missing = std::stod(error.substr(place + advice.size()));
+  std::printf("least %s; %s\n", vtkMTMemoryPlan::ToText(least).c_str(), error.c_str());
+  vtkMTPatchStore more;
+  EXPECT_TRUE(BuildWithin(mesh, least + static_cast<std::uint64_t>(missing * 1048576.0), more, error)) << error;
+  vtkMTPatchStore whole;
+  ASSERT_TRUE(BuildWithin(mesh, 0, whole, error)) << error;
+  ExpectSame(more, whole, "inseparable");
+}
+
+TEST(OrderedWork, NoMoreIsInHandThanTheBudgetAllows)
+{
+  // Costs from 1 to 200 in a budget of 100: what is larger comes alone.
+  vtkMTOrderedWork::Budget budget;
+  budget.Memory = 100;
+  budget.Cost = [](std::size_t i) { return 1 + i * 37 % 200; };
+  std::atomic<std::uint64_t> inHand{ 0 };
+  std::atomic<std::uint64_t> most{ 0 };
+  std::atomic<std::uint64_t> tooMuch{ 0 };
+  std::string error;
+  const auto work = [&](std::size_t i, std::size_t, std::string&)
+  {
+    const std::uint64_t now = inHand += budget.Cost(i);
+    tooMuch += now > budget.Memory && now != budget.Cost(i) ? 1 : 0;
+    most = std::max<std::uint64_t>(most, now);
+    return true;
+  };
+  const auto take = [&](std::size_t i, std::size_t, std::string&)
+  {
+    inHand -= budget.Cost(i);
+    return true;
+  };
+  ASSERT_TRUE(vtkMTOrderedWork::Run(5000, 4, budget, work, take, error)) << error;
+  std::printf("at most %llu of %llu in hand\n", static_cast<unsigned long long>(most.load()),
+    static_cast<unsigned long long>(budget.Memory));
+  EXPECT_EQ(tooMuch, 0u);
+  EXPECT_EQ(inHand, 0u);
 }
 
 TEST(OrderedWork, ResultsAreTakenInOrderAndTheFirstFailureIsReported)

@@ -209,9 +209,28 @@ class Patch:
         triangles = []
         bases = {}  # of the vertices that were met: [], [a] or [a, b, c]
         gates = []  # [from, to, across, previous, next, state]
-        stack = []
+        queue = []  # of the present cell
+        stack = []  # of cells before
+        taken = 0
         border_gates = []
         gate_from = {}
+
+        def take():
+            nonlocal queue, taken
+            while queue and taken < 64:
+                gate = queue.pop(0)
+                if gates[gate][5] == OPEN:
+                    taken += 1
+                    return gate
+            stack.extend(g for g in reversed(queue) if gates[g][5] == OPEN)
+            queue = []
+            while stack:
+                gate = stack.pop()
+                if gates[gate][5] == OPEN:
+                    taken = 1
+                    return gate
+            taken = 0
+            return None
 
         def name(basis):
             back = names.number()
@@ -240,7 +259,7 @@ class Patch:
             if there != gate and gates[there][5] != GONE:
                 link(gates[there][3], right)
                 link(left, there)
-            stack.extend([left, right])
+            queue.extend([left, right])
 
         def join(first, second, across):
             before, after = gates[first][3], gates[second][4]
@@ -248,12 +267,11 @@ class Patch:
             link(joined if before == second else before, joined)
             link(joined, joined if after == first else after)
             gates[first][5] = gates[second][5] = GONE
-            stack.append(joined)
+            queue.append(joined)
 
         while len(triangles) < self.triangles_count:
-            while stack and gates[stack[-1]][5] != OPEN:
-                stack.pop()
-            if not stack:
+            gate = take()
+            if gate is None:
                 t = []
                 for _ in range(3):
                     t.append(name(t[-1:]))
@@ -261,10 +279,9 @@ class Patch:
                 for c in range(3):
                     gates.append([t[c], t[(c + 1) % 3], t[(c + 2) % 3], first + (c + 2) % 3, first + (c + 1) % 3, OPEN])
                     gate_from[t[c]] = first + c
-                stack.extend([first + 2, first + 1, first])
+                queue.extend([first, first + 1, first + 2])
                 triangles.append(tuple(t))
                 continue
-            gate = stack.pop()
             start, end, across, previous, following, _ = gates[gate]
             step = 0
             while step < 5 and steps & 1:
@@ -300,7 +317,9 @@ class Patch:
             triangles.append((end, start, third))
         require(bits_left < 8 and steps == 0 and names.at == len(names.data), "the steps are too long")
         border = []
-        for gate in border_gates + stack[::-1]:
+        while (gate := take()) is not None:
+            border_gates.append(gate)
+        for gate in border_gates:
             while gates[gate][5] != GONE:
                 gates[gate][5] = GONE
                 border.append(gates[gate][0])

@@ -4,6 +4,7 @@
 #include "MTPicture.h"
 
 #include "vtkActor.h"
+#include "vtkAssembly.h"
 #include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkDataSet.h"
@@ -564,6 +565,40 @@ std::vector<State> GetStates()
       vtkOpenGLRenderer::SafeDownCast(scene.Renderer)->SetPass(camera);
     },
     OtherCut);
+  add("PartOfAnAssembly",
+    [=](MTScene& scene)
+    {
+      plain(scene);
+      vtkNew<vtkAssembly> assembly;
+      scene.Renderer->RemoveActor(scene.Actor);
+      scene.Actor->RotateZ(30.0);
+      assembly->AddPart(scene.Actor);
+      assembly->SetScale(1.0, 0.6, 1.4);
+      assembly->RotateX(10.0);
+      scene.Renderer->AddActor(assembly);
+    });
+  add("CameraOffItsAxis",
+    [=](MTScene& scene)
+    {
+      plain(scene);
+      scene.Renderer->GetActiveCamera()->SetWindowCenter(0.4, -0.2);
+    });
+  add("CameraWithAShearedView",
+    [=](MTScene& scene)
+    {
+      plain(scene);
+      scene.Renderer->GetActiveCamera()->SetViewShear(0.3, 0.1, 1.0);
+    });
+  add("CameraWithAModelTransform",
+    [=](MTScene& scene)
+    {
+      plain(scene);
+      vtkNew<vtkMatrix4x4> matrix;
+      matrix->SetElement(0, 0, 1.3);
+      matrix->SetElement(1, 0, 0.2);
+      matrix->SetElement(2, 3, 0.1);
+      scene.Renderer->GetActiveCamera()->SetModelTransformMatrix(matrix);
+    });
   add("ShearOfNormals",
     [=](MTScene& scene)
     {

@@ -135,16 +135,16 @@ TEST(MapperBudget, RateIsMeasuredWhenNoneIsSet)
 
 TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
 {
-  for (const vtkIdType limit : { 400000, 800000, 1600000 })
+  for (const vtkIdType limit : { 250000, 400000, 550000, 700000, 800000, 1600000 })
   {
     const auto mapper = MakeMapper(0.25);
     mapper->SetGraphicsMemoryLimit(limit);
     MTScene scene(mapper);
     std::size_t worst = 0;
     vtkIdType most = 0;
-    for (int step = 0; step <= 24; ++step)
+    for (int step = 0; step <= 16; ++step)
     {
-      Fly(scene, step / 24.0);
+      Fly(scene, step / 16.0);
       const auto picture = scene.Render();
       most = std::max(most, mapper->GetTriangles());
       EXPECT_LE(mapper->GetGraphicsMemory(), limit);
@@ -154,7 +154,7 @@ TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
       reference->SetInputData(mesh);
       reference->SetScalarRange(mapper->GetScalarRange());
       MTScene plain(reference);
-      Fly(plain, step / 24.0);
+      Fly(plain, step / 16.0);
       worst = std::max(worst, MTDifference::Compare(picture, plain.Render()).ClearlyOff);
     }
     std::cout << "limit " << limit << ": at most " << mapper->GetMostGraphicsMemory() << " bytes, " << most
