@@ -263,8 +263,10 @@ struct vtkMTPatchLoader::Internals
     }
     this->Memory->Release(reserved - delivery.Bytes);
     ++this->Patches;
-    const std::lock_guard<std::mutex> lock(this->Mail);
-    this->Outbox.push_back(std::move(delivery));
+    {
+      const std::lock_guard<std::mutex> lock(this->Mail);
+      this->Outbox.push_back(std::move(delivery));
+    }
     this->News.notify_all();
   }
 
@@ -311,8 +313,10 @@ struct vtkMTPatchLoader::Internals
       }
       if (this->LoadSomething())
       {
-        const std::lock_guard<std::mutex> lock(this->Mail);
-        ++this->Version;
+        {
+          const std::lock_guard<std::mutex> lock(this->Mail);
+          ++this->Version;
+        }
         this->Work.notify_all();
       }
       else
@@ -421,8 +425,8 @@ void vtkMTPatchLoader::Post(std::shared_ptr<const Order> order)
       self.Inbox.swap(order); // what was there goes when the lock is free again
       self.LateTaken.clear();
       ++self.Version;
-      self.Work.notify_all();
     });
+  self.Work.notify_all(); // who wakes up must find the lock free
 }
 
 void vtkMTPatchLoader::Take(std::vector<Delivery>& deliveries)
