@@ -115,10 +115,6 @@ static_assert(sizeof(GeometryRecord) == 40 && std::is_trivially_copyable<Geometr
 
 struct PackedGeometryRecord
 {
-  std::uint32_t Points;
-  std::uint32_t Wedges;
-  std::uint32_t Triangles;
-  std::uint32_t SharedPoints;
   std::int32_t Corner[3];
   std::uint8_t Shift;    // coarse points are multiples of 2^Shift
   std::uint8_t HasTable; // 1: wedges are not points
@@ -127,7 +123,7 @@ struct PackedGeometryRecord
   std::uint32_t StoredSideSize; // stored
 };
 static_assert(
-  sizeof(PackedGeometryRecord) == 40 && std::is_trivially_copyable<PackedGeometryRecord>::value, "fixed by the format");
+  sizeof(PackedGeometryRecord) == 24 && std::is_trivially_copyable<PackedGeometryRecord>::value, "fixed by the format");
 
 /// size rounded up to the alignment; the caller has made sure that it is far from overflow.
 inline std::uint64_t Align(std::uint64_t size)

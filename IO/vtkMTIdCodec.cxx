@@ -68,8 +68,8 @@ std::size_t FindEnd(
   {
     step = ~std::uint64_t(0);
   }
-  while (end < identities.size() && isNext(end) && id(end) == id(end - 1) + step &&
-    GetHigh(id(end)) == GetHigh(id(begin)))
+  while (
+    end < identities.size() && isNext(end) && id(end) == id(end - 1) + step && GetHigh(id(end)) == GetHigh(id(begin)))
   {
     ++end;
   }
@@ -136,8 +136,8 @@ void Append(const std::vector<Identity>& identities, const std::vector<std::uint
     }
     std::uint64_t step = 0;
     const std::size_t end = FindEnd(identities, i, isNext, step);
-    const auto high = static_cast<std::size_t>(
-      std::lower_bound(highs.begin(), highs.end(), GetHigh(identities[i].Id)) - highs.begin());
+    const auto high =
+      static_cast<std::size_t>(std::lower_bound(highs.begin(), highs.end(), GetHigh(identities[i].Id)) - highs.begin());
     vtkMTNumberCode::Append(side, 1 + 2 * high + (step == 1 ? 0 : 1));
     vtkMTNumberCode::Append(side, end - i - 1);
     vtkMTNumberCode::Append(side, ToZigzag(static_cast<std::uint32_t>(identities[i].Id) - before[high]));

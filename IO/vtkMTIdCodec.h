@@ -34,8 +34,8 @@ struct Identity
 void Append(const std::vector<Identity>& identities, const std::vector<std::uint32_t>& borderOrder,
   std::vector<unsigned char>& side);
 
-/// Gives the identities of `shared` points. borderOrder is completed when it is needed. False when the bytes are no such
-/// runs.
+/// Gives the identities of `shared` points. borderOrder is completed when it is needed. False when the bytes are no
+/// such runs.
 bool Read(vtkMTNumberCode::Reader& side, std::vector<std::uint32_t>& borderOrder, std::size_t points,
   std::uint32_t shared, std::vector<Identity>& identities);
 }

@@ -16,6 +16,24 @@ namespace
 {
 using vtkMTFileFormat::PackedGeometryRecord;
 
+// What a section begins with, and what its arc says of the patch.
+struct Record : PackedGeometryRecord
+{
+  std::uint32_t Points;
+  std::uint32_t Wedges;
+  std::uint32_t Triangles;
+  std::uint32_t SharedPoints;
+
+  Record(const PackedGeometryRecord& record, const vtkMTArc& arc)
+    : PackedGeometryRecord(record)
+    , Points(arc.Points)
+    , Wedges(arc.Wedges)
+    , Triangles(arc.Triangles)
+    , SharedPoints(arc.SharedPoints)
+  {
+  }
+};
+
 using SideReader = vtkMTNumberCode::Reader;
 using vtkMTNumberCode::Append;
 
@@ -31,7 +49,7 @@ void AppendWedges(const std::vector<std::uint32_t>& wedgePoints, std::vector<uns
   }
 }
 
-bool ReadWedges(SideReader& side, const PackedGeometryRecord& record, std::vector<std::uint32_t>& wedgePoints)
+bool ReadWedges(SideReader& side, const Record& record, std::vector<std::uint32_t>& wedgePoints)
 {
   wedgePoints.reserve(record.Wedges);
   std::uint32_t next = 0;
@@ -108,18 +126,12 @@ vtkMTPoint GetCorner(const std::vector<vtkMTPoint>& points)
   return corner;
 }
 
-bool IsRecordRight(const PackedGeometryRecord& record, const vtkMTArc& arc, std::uint64_t size, std::string& error)
+bool IsRecordRight(const Record& record, std::uint64_t size, std::string& error)
 {
-  if (record.Points != arc.Points || record.Wedges != arc.Wedges || record.Triangles != arc.Triangles ||
-    record.SharedPoints != arc.SharedPoints)
-  {
-    error = "does not have the numbers of points, wedges and triangles that its arc announces";
-    return false;
-  }
   // Eight triangles take a byte of the side stream at least, 32 points three.
   const bool isPossible = record.Shift <= vtkMTPositionCodec::MaximumShift && record.HasTable <= 1 &&
     record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
-    record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(record) &&
+    record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(PackedGeometryRecord) &&
     vtkMTByteCodec::IsPlausible(record.StoredSideSize, record.SideSize) && record.Triangles / 8 <= record.SideSize &&
     record.Points / 16 <= record.SideSize && (record.HasTable == 0 || record.Wedges <= record.SideSize);
   error = isPossible ? error : "has an impossible header";
@@ -136,7 +148,7 @@ struct Side
   vtkMTPositionCodec::Source Positions{};
 
   // bits: what follows the side stream.
-  bool Read(SideReader& side, const PackedGeometryRecord& record, const unsigned char* bits, std::uint64_t bitsSize)
+  bool Read(SideReader& side, const Record& record, const unsigned char* bits, std::uint64_t bitsSize)
   {
     std::uint64_t stepsSize = 0;
     std::uint64_t namesSize = 0;
@@ -238,10 +250,6 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
     return false;
   }
   const std::size_t stored = bytes.size() - begin - sizeof(record);
-  record.Points = static_cast<std::uint32_t>(order.Patch.Points.size());
-  record.Wedges = static_cast<std::uint32_t>(order.Patch.GetNumberOfWedges());
-  record.Triangles = static_cast<std::uint32_t>(order.Patch.Triangles.size());
-  record.SharedPoints = static_cast<std::uint32_t>(order.Patch.Ids.size());
   std::memcpy(record.Corner, corner.data(), sizeof(record.Corner));
   record.Shift = static_cast<std::uint8_t>(packed.Shift);
   record.HasTable = order.Patch.WedgePoints.empty() ? 0 : 1;
@@ -258,22 +266,23 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
 bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
   vtkMTPatch& patch, std::string& error)
 {
-  PackedGeometryRecord record;
-  if (size < sizeof(record))
+  PackedGeometryRecord stored;
+  if (size < sizeof(stored))
   {
     error = "is too short";
     return false;
   }
-  std::memcpy(&record, data, sizeof(record));
-  if (!IsRecordRight(record, arc, size, error))
+  std::memcpy(&stored, data, sizeof(stored));
+  const Record record(stored, arc);
+  if (!IsRecordRight(record, size, error))
   {
     return false;
   }
-  const std::uint64_t before = sizeof(record) + record.StoredSideSize;
+  const std::uint64_t before = sizeof(stored) + record.StoredSideSize;
   std::vector<unsigned char> bytes(record.SideSize);
   Side side;
   SideReader reader(bytes.data(), bytes.size());
-  if (!vtkMTByteCodec::Decompress(codec, data + sizeof(record), record.StoredSideSize, bytes.data(), bytes.size()) ||
+  if (!vtkMTByteCodec::Decompress(codec, data + sizeof(stored), record.StoredSideSize, bytes.data(), bytes.size()) ||
     !side.Read(reader, record, data + before, size - before))
   {
     error = "cannot be decompressed";

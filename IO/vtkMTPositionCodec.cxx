@@ -42,8 +42,8 @@ struct Expectation
   }
 };
 
-// Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way, as
-// nobody can guess which.
+// Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way,
+// as nobody can guess which.
 struct Rounding
 {
   unsigned Shift;
@@ -214,8 +214,8 @@ private:
 using Codes = std::array<std::array<std::uint32_t, 3>, vtkMTPositionCodec::BlockSize>;
 
 // The three lists side by side, as no code is known to begin before the one before it is read.
-void ReadBlock(CodeReader (&readers)[3], const unsigned char* parameters, std::size_t blocks, std::size_t count,
-  Codes& codes)
+void ReadBlock(
+  CodeReader (&readers)[3], const unsigned char* parameters, std::size_t blocks, std::size_t count, Codes& codes)
 {
   CodeReader x = readers[0];
   CodeReader y = readers[1];

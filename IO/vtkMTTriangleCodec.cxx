@@ -26,9 +26,9 @@ enum Step : unsigned
 constexpr unsigned NumberOfSteps = 6;
 
 //------------------------------------------------------------------------------
-// The front: gates in doubly linked loops, and those that were not asked yet: a queue with the ones of the present cell,
-// and a stack with those that earlier cells have left. Gates behind which there is nothing stay in their loop as the
-// border that they are.
+// The front: gates in doubly linked loops, and those that were not asked yet: a queue with the ones of the present
+// cell, and a stack with those that earlier cells have left. Gates behind which there is nothing stay in their loop as
+// the border that they are.
 class Front
 {
 public:

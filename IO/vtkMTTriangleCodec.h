@@ -27,7 +27,7 @@
 namespace vtkMTTriangleCodec
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
-constexpr std::uint32_t CellSize = 64; // gates; smaller cells cost bits, larger ones leave the cache
+constexpr std::uint32_t CellSize = 96; // gates; smaller cells cost bits, larger ones leave the cache
 
 /// For a vertex in stream order, the gate at which it was met and the vertex across: its place is expected at a + b -
 /// c. With c None it is at a alone; with a None too, nothing is known.

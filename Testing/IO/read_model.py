@@ -160,17 +160,17 @@ class Patch:
     """points, ids, wedges (the table, or None), triangles."""
 
     def __init__(self, arc, codec, data):
-        self.record = struct.unpack_from("<4I3i", data)
-        self.points_count, self.wedges_count, self.triangles_count, self.shared = self.record[:4]
-        require(self.record[:4] == (arc[3], arc[4], arc[2], arc[5]), "counts differ from the arc's")
-        self.corner = self.record[4:7]
+        self.points_count, self.wedges_count, self.triangles_count, self.shared = arc[3], arc[4], arc[2], arc[5]
         if codec == 0:
             self.read_raw(data)
         else:
             self.read_packed(codec, data)
 
     def read_raw(self, data):
-        a, b, c, d, first = struct.unpack_from("<4BQ", data, 28)
+        counts = struct.unpack_from("<4I", data)
+        require(counts == (self.points_count, self.wedges_count, self.triangles_count, self.shared),
+                "counts differ from the arc's")
+        *self.corner, a, b, c, d, first = struct.unpack_from("<3i4BQ", data, 16)
         stream = Stream(data[40:])
 
         def numbers(count, width):
@@ -186,9 +186,9 @@ class Patch:
         require(stream.at == len(stream.data), "a geometry section of another length")
 
     def read_packed(self, codec, data):
-        shift, has_table, zero, side_size, stored = struct.unpack_from("<BBHII", data, 28)
+        *self.corner, shift, has_table, zero, side_size, stored = struct.unpack_from("<3iBBHII", data)
         require(zero == 0, "a reserved byte is not 0")
-        side = Stream(decompress(codec, data[40:40 + stored], side_size))
+        side = Stream(decompress(codec, data[24:24 + stored], side_size))
         steps = side.take(side.number())
         names = Stream(side.take(side.number()))
         triangles, bases, border = self.read_triangles(int.from_bytes(steps, "little"), 8 * len(steps), names)
@@ -200,7 +200,7 @@ class Patch:
             for w, p in enumerate(wedge_points):
                 first.setdefault(p, w)
             bases = {p: [wedge_points[x] for x in bases.get(w, [])] for p, w in first.items()}
-        points = self.read_points(bases, shift, coarse, side, data[40 + stored:])
+        points = self.read_points(bases, shift, coarse, side, data[24 + stored:])
         require(side.at == len(side.data), "a side stream of another length")
         self.ids = [ids[p] for p in sorted(ids)]
         self.place(points, [p in ids for p in range(len(points))], wedge_points, triangles)
@@ -217,7 +217,7 @@ class Patch:
 
         def take():
             nonlocal queue, taken
-            while queue and taken < 64:
+            while queue and taken < 96:
                 gate = queue.pop(0)
                 if gates[gate][5] == OPEN:
                     taken += 1
