@@ -189,9 +189,34 @@ bmtInputReport bmtReadInput(const bmtInput& input, vtkPolyData* mesh)
   return report;
 }
 
+namespace
+{
+std::unique_ptr<vtkMTTriangleStream> StreamTerrain(const bmtInput& input, vtkMTSpoolStore& store)
+{
+  vtkMTTerrain terrain;
+  terrain.VerticalScale = input.VerticalScale;
+  terrain.Degrees = input.Degrees;
+  terrain.Store = &store;
+  std::string error;
+  for (const std::string& path : input.Paths)
+  {
+    if (!terrain.AddTile(path, error))
+    {
+      throw bmtError(error);
+    }
+  }
+  std::unique_ptr<vtkMTTriangleStream> stream = terrain.MakeStream(error);
+  return stream ? std::move(stream) : throw bmtError(error);
+}
+}
+
 std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
   const bmtInput& input, vtkMTSpoolStore& store, std::uint64_t memory, bmtInputReport& report)
 {
+  if (std::all_of(input.Paths.begin(), input.Paths.end(), vtkMTTerrain::CanRead))
+  {
+    return StreamTerrain(input, store);
+  }
   if (input.Paths.size() != 1)
   {
     return nullptr;

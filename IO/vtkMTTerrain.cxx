@@ -1,195 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTTerrain.h"
 
-#include "vtkMTHeightTile.h"
+#include "vtkMTSpoolStore.h"
+#include "vtkMTTerrainStream.h"
 
 #include "vtkCellArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <vector>
-
-struct vtkMTTerrain::Internals
-{
-  // A tile with its place on the grid of all, counted in steps from the first tile's corner.
-  struct Placed
-  {
-    vtkMTHeightTile Tile;
-    std::int64_t Column;
-    std::int64_t Row;
-  };
-  std::vector<Placed> Tiles;
-};
 
 namespace
 {
-constexpr double EarthRadius = 6371008.8;
-
 // How far a sample may be from its place on the grid, in steps.
 constexpr double Slack = 0.01;
 
 // How far tiles may be apart, in steps: more than once around the Earth at a third of an arc second.
 constexpr double Farthest = 4.0e6;
+}
 
-// The grid's row, dense between the westernmost and the easternmost column of all tiles.
-struct GridRow
+struct vtkMTTerrain::Internals
 {
-  std::vector<float> Heights;
-  std::vector<vtkIdType> Points; // -1 where there is a void or no tile
-
-  void Clear(std::size_t columns)
-  {
-    this->Heights.assign(columns, std::numeric_limits<float>::quiet_NaN());
-    this->Points.assign(columns, -1);
-  }
+  std::shared_ptr<vtkMTTerrainTiles> AllTiles = std::make_shared<vtkMTTerrainTiles>();
 };
-
-void AddTriangle(vtkCellArray* triangles, vtkIdType a, vtkIdType b, vtkIdType c)
-{
-  if (a >= 0 && b >= 0 && c >= 0)
-  {
-    triangles->InsertNextCell({ a, b, c });
-  }
-}
-
-// isCovered: whether some tile has the square; three tiles that meet make no triangle in the place of the fourth.
-void AddSquares(
-  const GridRow& south, const GridRow& north, const std::vector<unsigned char>& isCovered, vtkCellArray* triangles)
-{
-  for (std::size_t column = 0; column + 1 < south.Points.size(); ++column)
-  {
-    if (!isCovered[column])
-    {
-      continue;
-    }
-    const vtkIdType a = south.Points[column], b = south.Points[column + 1];
-    const vtkIdType c = north.Points[column + 1], d = north.Points[column];
-    // Where one corner is void, the diagonal goes past it, so that one triangle is left.
-    const bool otherDiagonal = a < 0 || c < 0;
-    AddTriangle(triangles, a, b, otherDiagonal ? d : c);
-    AddTriangle(triangles, otherDiagonal ? b : a, c, d);
-  }
-}
-
-// Row by row from the south: two rows are at hand at a time, however far tiles are apart.
-class Maker
-{
-public:
-  template <typename Placed>
-  Maker(const std::vector<Placed>& tiles, double verticalScale, bool degrees)
-    : VerticalScale(verticalScale)
-  {
-    const vtkMTHeightTile& first = tiles.front().Tile;
-    std::int64_t last[2] = { 0, 0 };
-    for (const Placed& placed : tiles)
-    {
-      this->Begin[0] = std::min(this->Begin[0], placed.Column);
-      this->Begin[1] = std::min(this->Begin[1], placed.Row);
-      last[0] = std::max(last[0], placed.Column + static_cast<std::int64_t>(placed.Tile.Columns) - 1);
-      last[1] = std::max(last[1], placed.Row + static_cast<std::int64_t>(placed.Tile.Rows) - 1);
-    }
-    this->Columns = static_cast<std::size_t>(last[0] - this->Begin[0] + 1);
-    this->EndRow = last[1] + 1;
-    this->Corner[0] = first.West;
-    this->Corner[1] = first.South;
-    this->Step[0] = first.StepX;
-    this->Step[1] = first.StepY;
-    if (first.IsGeographic && !degrees)
-    {
-      for (int i = 0; i < 2; ++i)
-      {
-        this->Middle[i] = this->Corner[i] + 0.5 * static_cast<double>(this->Begin[i] + last[i]) * this->Step[i];
-      }
-      this->Factor[1] = vtkMath::RadiansFromDegrees(1.0) * EarthRadius;
-      this->Factor[0] = this->Factor[1] * std::cos(vtkMath::RadiansFromDegrees(this->Middle[1]));
-    }
-  }
-
-  template <typename Placed>
-  void Run(const std::vector<Placed>& tiles, vtkPoints* points, vtkCellArray* triangles)
-  {
-    GridRow rows[2];
-    rows[0].Clear(this->Columns);
-    rows[1].Clear(this->Columns);
-    for (std::int64_t row = this->Begin[1]; row < this->EndRow; ++row)
-    {
-      std::swap(rows[0], rows[1]);
-      rows[1].Clear(this->Columns);
-      std::vector<unsigned char> covered(this->Columns, 0);
-      std::vector<unsigned char> squares(this->Columns, 0); // between the row before and this one
-      for (const Placed& placed : tiles)
-      {
-        if (row >= placed.Row && row < placed.Row + static_cast<std::int64_t>(placed.Tile.Rows))
-        {
-          const auto first = static_cast<std::size_t>(placed.Column - this->Begin[0]);
-          this->AddSamples(placed.Tile, static_cast<std::size_t>(row - placed.Row), first, rows[1], covered);
-          if (row > placed.Row)
-          {
-            std::fill_n(squares.begin() + static_cast<std::ptrdiff_t>(first), placed.Tile.Columns - 1, 1);
-          }
-        }
-      }
-      this->AddPoints(row, covered, rows[1], points);
-      AddSquares(rows[0], rows[1], squares, triangles);
-    }
-  }
-
-  std::int64_t Voids = 0;
-  std::int64_t Disagreeing = 0;
-
-private:
-  void AddSamples(const vtkMTHeightTile& tile, std::size_t tileRow, std::size_t firstColumn, GridRow& row,
-    std::vector<unsigned char>& covered)
-  {
-    const float* heights = tile.Heights.data() + tileRow * tile.Columns;
-    for (std::size_t i = 0; i < tile.Columns; ++i)
-    {
-      float& height = row.Heights[firstColumn + i];
-      covered[firstColumn + i] = 1;
-      if (std::isnan(height))
-      {
-        height = heights[i];
-      }
-      else if (!std::isnan(heights[i]) && heights[i] != height)
-      {
-        ++this->Disagreeing;
-      }
-    }
-  }
-
-  void AddPoints(std::int64_t row, const std::vector<unsigned char>& covered, GridRow& samples, vtkPoints* points)
-  {
-    const double y = this->Corner[1] + static_cast<double>(row) * this->Step[1];
-    for (std::size_t i = 0; i < this->Columns; ++i)
-    {
-      const bool isVoid = std::isnan(samples.Heights[i]);
-      this->Voids += covered[i] && isVoid ? 1 : 0;
-      if (!isVoid)
-      {
-        const double x =
-          this->Corner[0] + static_cast<double>(this->Begin[0] + static_cast<std::int64_t>(i)) * this->Step[0];
-        samples.Points[i] = points->InsertNextPoint(this->Factor[0] * (x - this->Middle[0]),
-          this->Factor[1] * (y - this->Middle[1]), this->VerticalScale * samples.Heights[i]);
-      }
-    }
-  }
-
-  double VerticalScale;
-  std::int64_t Begin[2] = { 0, 0 }; // column and row
-  std::int64_t EndRow = 0;
-  std::size_t Columns = 0;
-  double Corner[2];
-  double Step[2];
-  double Middle[2] = { 0.0, 0.0 };
-  double Factor[2] = { 1.0, 1.0 };
-};
-}
 
 vtkMTTerrain::vtkMTTerrain()
   : Implementation(std::make_unique<Internals>())
@@ -208,16 +46,17 @@ bool vtkMTTerrain::AddTile(const std::string& path, std::string& error)
   std::string reason;
   try
   {
-    Internals::Placed placed{ {}, 0, 0 };
+    vtkMTTerrainTiles::Placed placed;
+    vtkMTTerrainTiles& tiles = *this->Implementation->AllTiles;
     vtkMTHeightTile& tile = placed.Tile;
     if (!tile.Read(path, reason))
     {
       error = path + ": " + reason;
       return false;
     }
-    if (!this->Implementation->Tiles.empty())
+    if (!tiles.All.empty())
     {
-      const vtkMTHeightTile& first = this->Implementation->Tiles.front().Tile;
+      const vtkMTHeightTile& first = tiles.All.front().Tile;
       const double column = (tile.West - first.West) / first.StepX;
       const double row = (tile.South - first.South) / first.StepY;
       const double drift = std::max(std::abs(tile.StepX / first.StepX - 1.0) * static_cast<double>(tile.Columns),
@@ -233,7 +72,11 @@ bool vtkMTTerrain::AddTile(const std::string& path, std::string& error)
       placed.Column = static_cast<std::int64_t>(std::llround(column));
       placed.Row = static_cast<std::int64_t>(std::llround(row));
     }
-    this->Implementation->Tiles.push_back(std::move(placed));
+    if (this->Store && !this->PutHeights(placed.Tile.Heights, placed.FirstByte, error))
+    {
+      return false;
+    }
+    tiles.All.push_back(std::move(placed));
     return true;
   }
   catch (const std::exception& exception) // no memory
@@ -243,14 +86,74 @@ bool vtkMTTerrain::AddTile(const std::string& path, std::string& error)
   }
 }
 
+bool vtkMTTerrain::PutHeights(std::vector<float>& heights, std::uint64_t& firstByte, std::string& error)
+{
+  std::unique_ptr<vtkMTSpool>& spool = this->Implementation->AllTiles->Heights;
+  spool = spool ? std::move(spool) : this->Store->Create(error);
+  firstByte = spool ? spool->GetSize() : 0;
+  const bool put = spool && spool->Append(heights.data(), heights.size() * sizeof(float), error);
+  heights = std::vector<float>();
+  return put;
+}
+
+std::unique_ptr<vtkMTTriangleStream> vtkMTTerrain::MakeStream(std::string& error)
+{
+  const std::shared_ptr<vtkMTTerrainTiles>& tiles = this->Implementation->AllTiles;
+  if (tiles->All.empty() || !std::isfinite(this->VerticalScale) || this->VerticalScale == 0.0)
+  {
+    error = tiles->All.empty() ? "the terrain has no tiles" : "the vertical scale must be a finite number other than 0";
+    return nullptr;
+  }
+  try
+  {
+    auto stream = vtkMTTerrainStream::Open(tiles, this->VerticalScale, this->Degrees, error);
+    if (!stream || stream->GetNumberOfTriangles() > 0)
+    {
+      return stream;
+    }
+    error = tiles->All.front().Tile.Path + ": there is not one triangle without a void";
+  }
+  catch (const std::exception& exception) // no memory
+  {
+    error = std::string("the terrain could not be made: ") + exception.what();
+  }
+  return nullptr;
+}
+
+namespace
+{
+bool Fill(vtkMTTriangleStream& stream, vtkPoints* points, vtkCellArray* triangles, std::string& error)
+{
+  vtkMTTriangleStream::PointBlock block;
+  vtkMTTriangleStream::TriangleBlock cells;
+  bool good = true;
+  while ((good = stream.NextPoints(block)) && !block.Points.empty())
+  {
+    for (const std::array<double, 3>& point : block.Points)
+    {
+      points->InsertNextPoint(point.data());
+    }
+  }
+  while (good && (good = stream.NextTriangles(cells)) && !cells.Triangles.empty())
+  {
+    for (const std::array<std::uint64_t, 3>& t : cells.Triangles)
+    {
+      triangles->InsertNextCell(
+        { static_cast<vtkIdType>(t[0]), static_cast<vtkIdType>(t[1]), static_cast<vtkIdType>(t[2]) });
+    }
+  }
+  error = good ? error : stream.GetError();
+  return good;
+}
+}
+
 bool vtkMTTerrain::Make(vtkPolyData* output, std::string& error)
 {
   output->Initialize();
   this->Report.clear();
-  if (this->Implementation->Tiles.empty() || !std::isfinite(this->VerticalScale) || this->VerticalScale == 0.0)
+  const std::unique_ptr<vtkMTTriangleStream> stream = this->MakeStream(error);
+  if (!stream)
   {
-    error = this->Implementation->Tiles.empty() ? "the terrain has no tiles"
-                                                : "the vertical scale must be a finite number other than 0";
     return false;
   }
   try
@@ -258,13 +161,14 @@ bool vtkMTTerrain::Make(vtkPolyData* output, std::string& error)
     vtkNew<vtkPoints> points;
     points->SetDataType(VTK_DOUBLE);
     vtkNew<vtkCellArray> triangles;
-    Maker maker(this->Implementation->Tiles, this->VerticalScale, this->Degrees);
-    maker.Run(this->Implementation->Tiles, points, triangles);
-    this->Report["terrain_tiles"] = static_cast<std::int64_t>(this->Implementation->Tiles.size());
-    this->Report["terrain_voids"] = maker.Voids;
-    this->Report["terrain_disagreeing_samples"] = maker.Disagreeing;
+    if (!Fill(*stream, points, triangles, error))
+    {
+      return false;
+    }
     output->SetPoints(points);
     output->SetPolys(triangles);
+    this->Report = stream->GetReport();
+    return true;
   }
   catch (const std::exception& exception) // no memory
   {
@@ -272,11 +176,4 @@ bool vtkMTTerrain::Make(vtkPolyData* output, std::string& error)
     output->Initialize();
     return false;
   }
-  if (output->GetNumberOfPolys() == 0)
-  {
-    error = this->Implementation->Tiles.front().Tile.Path + ": there is not one triangle without a void";
-    output->Initialize();
-    return false;
-  }
-  return true;
 }

@@ -32,7 +32,10 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+class vtkMTSpoolStore;
+class vtkMTTriangleStream;
 class vtkPolyData;
 
 class VTKMTIO_EXPORT vtkMTTerrain
@@ -49,10 +52,18 @@ public:
   /// Whether the name is that of a tile that can be read.
   static bool CanRead(const std::string& path);
 
+  /// Where the heights of tiles are kept from AddTile on, one tile being in memory at a time; must outlive this and its
+  /// streams. Default: none, all tiles stay in memory.
+  vtkMTSpoolStore* Store = nullptr;
+
   /// False, with the reason in error, when the file is no sound tile or does not lie on the grid of the earlier ones.
   bool AddTile(const std::string& path, std::string& error);
 
-  /// False, with the reason in error, and an empty output when there is no triangle, or not memory enough.
+  /// The terrain of the tiles that were added, row by row; needs this object no longer. Its report has what is counted.
+  /// Null, with the reason in error, when there is no triangle, or not memory enough.
+  std::unique_ptr<vtkMTTriangleStream> MakeStream(std::string& error);
+
+  /// All of it as a mesh. False, with the reason in error, and an empty output in the same cases.
   bool Make(vtkPolyData* output, std::string& error);
 
   /// Of the last Make: what is counted above, and "terrain_tiles".
@@ -61,6 +72,8 @@ public:
 private:
   vtkMTTerrain(const vtkMTTerrain&) = delete;
   void operator=(const vtkMTTerrain&) = delete;
+
+  bool PutHeights(std::vector<float>& heights, std::uint64_t& firstByte, std::string& error);
 
   struct Internals;
   std::unique_ptr<Internals> Implementation;
