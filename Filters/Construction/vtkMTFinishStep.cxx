@@ -76,6 +76,10 @@ bool vtkMTFinishStep::FinishGraph()
   graph.Settings["partition"] = this->Options.Partition->GetSettings();
   graph.Settings["simplifier"] = this->Options.Simplifier->GetSettings();
   graph.Settings["patch_triangles"] = std::to_string(this->Options.PatchTriangles);
+  if (this->Options.KeepFarOutliers)
+  {
+    graph.Settings["far_outliers"] = "kept";
+  }
   graph.Settings["floor_triangles"] = std::to_string(std::llround(2.0 * this->Options.GetRegionTarget()));
   return this->Sink.Finish(graph, patchOfArc) || this->Fail(this->Sink.GetError());
 }
