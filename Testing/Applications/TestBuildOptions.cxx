@@ -123,6 +123,7 @@ TEST_F(BuildOptions, EveryCompressionHoldsTheSameModel)
 
 TEST_F(BuildOptions, BlobsAreExtractedIntoTheFolderAndNowhereElse)
 {
+  this->WriteSquare();
   this->Build("square.ply", {});
   std::filesystem::create_directory(this->Path("blobs"));
   nlohmann::json out = this->BmtJson({ "extract", this->Path("out.bmt"), "--blobs", this->Path("blobs") });
