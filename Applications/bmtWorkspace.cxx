@@ -192,9 +192,11 @@ bool bmtWorkspace::HasCheckpoint() const
   return vtkMTFileSpoolStore::HasState(this->Folder);
 }
 
+// Also what is left of one whose process was killed while it removed it.
 void bmtWorkspace::RemoveCheckpoint()
 {
-  if (this->HasCheckpoint())
+  std::error_code code;
+  if (std::filesystem::is_directory(this->Folder, code))
   {
     this->OpenFolder();
     this->Files->Clear();

@@ -265,7 +265,7 @@ private:
       this->ReadPolygons(count, corners);
   }
 
-  static constexpr std::uint64_t MostCorners = std::uint64_t(1) << 26; // in a piece
+  static constexpr std::uint64_t MostCorners = std::uint64_t(1) << 23; // in a piece
 
   vtkMTXmlArrays File;
   vtkXMLDataElement* Places = nullptr;
