@@ -157,14 +157,29 @@ bmtJson ExtractCut(const Options& options, const vtkMTPatchSource& source)
   return result;
 }
 
+bool HasCut(const Options& options)
+{
+  return options.HasTriangles->count() + options.HasError->count() + options.HasLevel->count() > 0;
+}
+
+// A cut and the mesh to write it to go together; textures may be all that is wanted.
+void CheckUsage(const Options& options)
+{
+  const bool hasCut = HasCut(options);
+  if (hasCut && options.Output.empty())
+  {
+    throw CLI::ValidationError("extract", "-o is missing, which names the mesh to write");
+  }
+  if (!hasCut && (!options.Output.empty() || options.BlobFolder.empty()))
+  {
+    throw CLI::ValidationError(
+      "extract", "one of --triangles, --error and --level is missing, which say what to write");
+  }
+}
+
 bmtJson Extract(const Options& options)
 {
-  const bool hasCut = options.HasTriangles->count() + options.HasError->count() + options.HasLevel->count() > 0;
-  if (hasCut != !options.Output.empty() || (!hasCut && options.BlobFolder.empty()))
-  {
-    throw bmtError(hasCut ? "-o is missing, which names the mesh to write"
-                          : "one of --triangles, --error and --level is missing, which say what to write");
-  }
+  const bool hasCut = HasCut(options);
   const double start = bmtWallSeconds();
   const std::shared_ptr<const vtkMTPatchSource> source = bmtOpenModel(options.File);
   bmtJson result = bmtJson::object();
@@ -207,6 +222,7 @@ void bmtAddExtract(CLI::App& app, bmtContext& context)
   command->callback(
     [options, &context]
     {
+      CheckUsage(*options);
       context.Run = [options, &context]
       {
         bmtPrint(context, Extract(*options));

@@ -18,6 +18,7 @@ std::uint32_t GetHigh(std::uint64_t id)
 std::vector<std::uint32_t> AppendHighs(const std::vector<Identity>& identities, std::vector<unsigned char>& side)
 {
   std::vector<std::uint32_t> highs;
+  highs.reserve(identities.size());
   for (const Identity& identity : identities)
   {
     highs.push_back(GetHigh(identity.Id));

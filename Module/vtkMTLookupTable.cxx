@@ -128,7 +128,7 @@ std::string vtkMTLookupTable::Encode(vtkLookupTable* table)
 vtkSmartPointer<vtkLookupTable> vtkMTLookupTable::Decode(const std::string& bytes)
 {
   Reader reader(bytes);
-  const auto table = vtkSmartPointer<vtkLookupTable>::New();
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
   const auto count = reader.Take<std::uint32_t>();
   const char* colors = reader.TakeBytes(4 * std::size_t(count));
   if (!colors || count == 0)

@@ -19,7 +19,7 @@ constexpr std::size_t WriteBuffer = std::size_t(1) << 18;
 class vtkMTRecordSort::Merge
 {
 public:
-  Merge(const vtkMTSpool& spool, std::vector<Run> runs, std::size_t recordSize, std::size_t memory)
+  Merge(const vtkMTSpool& spool, const std::vector<Run>& runs, std::size_t recordSize, std::size_t memory)
     : Spool(spool)
     , RecordSize(recordSize)
     , BufferSize(std::max<std::size_t>(1, memory / std::max<std::size_t>(1, runs.size()) / recordSize) * recordSize)
