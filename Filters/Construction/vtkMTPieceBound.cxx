@@ -11,7 +11,19 @@ using namespace vtkMTVector;
 
 namespace
 {
-constexpr int MaximumDepth = 48;
+// A long triangle may cross thousands of others, and every one that is cut off counts; the budget ends what does not.
+constexpr int MaximumDepth = 4096;
+
+// One triangle must not use up what the others need for a bound at all. Pieces that are cut along triangles get
+// somewhere; where two sheets are closer than the largest distance of all, the bound by either may stay just above it
+// however small the halves are: after so many of them it will do, and a looser one the more there are.
+double GetShare(std::size_t halvings)
+{
+  constexpr std::size_t Tight = 512;
+  constexpr double ToDouble = 1024.0;
+  return halvings < Tight ? vtkMTDeviation::Share
+                          : vtkMTDeviation::Looseness * (1.0 + static_cast<double>(halvings - Tight) / ToDouble);
+}
 
 std::uint32_t GetTriangle(std::uint32_t halfedge)
 {
@@ -159,7 +171,7 @@ double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint
 
 bool vtkMTPieceBound::IsNearEnough(double bound, double trueHere) const
 {
-  return bound <= std::max({ vtkMTDeviation::Share * this->Result.LowerBound, vtkMTDeviation::Looseness * trueHere,
+  return bound <= std::max({ GetShare(this->Halvings) * this->Result.LowerBound, vtkMTDeviation::Looseness * trueHere,
                     2.0 * this->Slack });
 }
 
@@ -240,6 +252,7 @@ bool vtkMTPieceBound::Accept(const Entry& entry, double trueHere)
 void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
 {
   this->Stack.assign(1, whole);
+  this->Halvings = 0;
   while (!this->Stack.empty())
   {
     const Entry entry = this->Stack.back();
@@ -254,6 +267,7 @@ void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
     ++this->Result.Pieces;
     this->BoundPiece(entry);
   }
+  this->Halvings = 0;
 }
 
 void vtkMTPieceBound::BoundPiece(Entry entry)
@@ -327,6 +341,7 @@ void vtkMTPieceBound::CutInHalves(const Entry& entry)
     std::uint32_t guess = entry.Guess;
     trueHere = std::max(trueHere, this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, guess));
   }
+  ++this->Halvings;
   Piece one;
   Piece other;
   if (this->Accept(entry, trueHere))

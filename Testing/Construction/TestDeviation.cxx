@@ -254,3 +254,32 @@ TEST(Deviation, MissingPartIsSeen)
   EXPECT_GE(bound, 500.0);
   EXPECT_LE(bound, 500.0 * vtkMTDeviation::Looseness);
 }
+
+TEST(Deviation, LongTrianglesAcrossThousandsAreBoundTightly)
+{
+  // A ribbon of narrow triangles, wavy but for its last tenth, and a flat one of two triangles.
+  constexpr std::uint32_t Columns = 1500;
+  vtkMTPatch ribbon;
+  for (std::uint32_t i = 0; i <= Columns; ++i)
+  {
+    const auto z = static_cast<std::int32_t>(i < Columns * 9 / 10 ? std::lround(40.0 * std::sin(0.7 * i)) : 0);
+    const auto x = static_cast<std::int32_t>(100 * i);
+    ribbon.Points.push_back({ x, 0, z });
+    ribbon.Points.push_back({ x, 3000, -z });
+  }
+  for (std::uint32_t i = 0; i < Columns; ++i)
+  {
+    ribbon.Triangles.push_back({ 2 * i, 2 * i + 2, 2 * i + 1 });
+    ribbon.Triangles.push_back({ 2 * i + 1, 2 * i + 2, 2 * i + 3 });
+  }
+  vtkMTPatch flat;
+  const auto end = static_cast<std::int32_t>(100 * Columns);
+  flat.Points = { { 0, 0, 0 }, { end, 0, 0 }, { end, 3000, 0 }, { 0, 3000, 0 } };
+  flat.Triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
+  const vtkMTDeviation deviation = GetDeviation(ribbon, flat);
+  std::printf(
+    "%zu pieces, bound %.2f, lower bound %.2f\n", deviation.Pieces, deviation.UpperBound, deviation.LowerBound);
+  EXPECT_FALSE(deviation.BudgetUsedUp);
+  EXPECT_LE(deviation.UpperBound, 1.2 * deviation.LowerBound);
+  EXPECT_GE(deviation.LowerBound, 39.0);
+}
