@@ -2,8 +2,8 @@
 #include "vtkMTObjReader.h"
 
 #include "vtkMTFieldNames.h"
-#include "vtkMTFileByteSource.h"
 #include "vtkMTObjParser.h"
+#include "vtkMTReadWhole.h"
 #include "vtkMTWedgeSplitter.h"
 
 #include "vtkCellArray.h"
@@ -17,7 +17,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <exception>
 
 namespace
 {
@@ -190,27 +189,11 @@ void Reader::Finish(vtkPolyData* output)
 
 bool vtkMTObjReader::Read(const std::string& path, vtkPolyData* output, std::string& error)
 {
-  const auto bytes = vtkMTFileByteSource::Open(path, error);
-  output->Initialize();
-  return bytes && Read(*bytes, output, error);
+  return vtkMTReadWhole::ReadFile<vtkMTObjReader>(path, output, error);
 }
 
 bool vtkMTObjReader::Read(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
 {
-  output->Initialize();
-  std::string reason;
-  try
-  {
-    if (Reader(bytes).Read(output, reason))
-    {
-      return true;
-    }
-  }
-  catch (const std::exception& exception) // no memory
-  {
-    reason = exception.what();
-  }
-  output->Initialize();
-  error = bytes.GetName() + ": " + reason;
-  return false;
+  return vtkMTReadWhole::Read(
+    bytes, output, error, [&](std::string& reason) { return Reader(bytes).Read(output, reason); });
 }

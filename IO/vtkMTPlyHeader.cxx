@@ -4,6 +4,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
@@ -12,19 +13,20 @@ using vtkMTTextFormat::NextToken;
 constexpr std::size_t LargestHeaderLine = 65536;
 constexpr std::size_t MostHeaderLines = 65536;
 
+struct TypeName
+{
+  const char* Name;
+  const char* Other;
+  int Value;
+};
+constexpr TypeName TypeNames[] = { { "char", "int8", VTK_SIGNED_CHAR }, { "uchar", "uint8", VTK_UNSIGNED_CHAR },
+  { "short", "int16", VTK_SHORT }, { "ushort", "uint16", VTK_UNSIGNED_SHORT }, { "int", "int32", VTK_INT },
+  { "uint", "uint32", VTK_UNSIGNED_INT }, { "float", "float32", VTK_FLOAT }, { "double", "float64", VTK_DOUBLE } };
+
 // 0 for a name that is no type of PLY.
 int ParseType(std::string_view name)
 {
-  struct Type
-  {
-    const char* Name;
-    const char* Other;
-    int Value;
-  };
-  static const Type types[] = { { "char", "int8", VTK_SIGNED_CHAR }, { "uchar", "uint8", VTK_UNSIGNED_CHAR },
-    { "short", "int16", VTK_SHORT }, { "ushort", "uint16", VTK_UNSIGNED_SHORT }, { "int", "int32", VTK_INT },
-    { "uint", "uint32", VTK_UNSIGNED_INT }, { "float", "float32", VTK_FLOAT }, { "double", "float64", VTK_DOUBLE } };
-  for (const Type& type : types)
+  for (const TypeName& type : TypeNames)
   {
     if (name == type.Name || name == type.Other)
     {
@@ -222,4 +224,17 @@ bool vtkMTPlyHeader::Parse(vtkMTTextFormat::Stream& stream, std::string& error)
   }
   error = this->HasFormat ? error : "has no format in its header";
   return this->HasFormat;
+}
+
+const char* vtkMTPlyHeader::GetTypeName(int type)
+{
+  constexpr int PlainChar = std::numeric_limits<char>::is_signed ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+  for (const TypeName& entry : TypeNames)
+  {
+    if (entry.Value == (type == VTK_CHAR ? PlainChar : type))
+    {
+      return entry.Name;
+    }
+  }
+  return "";
 }

@@ -48,6 +48,8 @@ struct vtkMTPlyHeader
 
   /// Bytes of a type in the binary formats.
   static std::size_t GetSize(int type);
+  /// The format's word for a type; empty where it has none, as for integers of 64 bits.
+  static const char* GetTypeName(int type);
 
 private:
   bool ParseLine(std::string_view line, bool& isAtEnd, std::string& error);

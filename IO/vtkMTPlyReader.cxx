@@ -2,9 +2,9 @@
 #include "vtkMTPlyReader.h"
 
 #include "vtkMTFieldNames.h"
-#include "vtkMTFileByteSource.h"
 #include "vtkMTPlyColumns.h"
 #include "vtkMTPlyRows.h"
+#include "vtkMTReadWhole.h"
 #include "vtkMTWedgeSplitter.h"
 
 #include "vtkCellArray.h"
@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <exception>
 #include <limits>
 
 namespace
@@ -459,27 +458,11 @@ bool Reader::Read(std::string& error)
 
 bool vtkMTPlyReader::Read(const std::string& path, vtkPolyData* output, std::string& error)
 {
-  const auto bytes = vtkMTFileByteSource::Open(path, error);
-  output->Initialize();
-  return bytes && Read(*bytes, output, error);
+  return vtkMTReadWhole::ReadFile<vtkMTPlyReader>(path, output, error);
 }
 
 bool vtkMTPlyReader::Read(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
 {
-  output->Initialize();
-  std::string reason;
-  try
-  {
-    if (Reader(bytes, output).Read(reason))
-    {
-      return true;
-    }
-  }
-  catch (const std::exception& exception) // no memory
-  {
-    reason = exception.what();
-  }
-  output->Initialize();
-  error = bytes.GetName() + ": " + reason;
-  return false;
+  return vtkMTReadWhole::Read(
+    bytes, output, error, [&](std::string& reason) { return Reader(bytes, output).Read(reason); });
 }

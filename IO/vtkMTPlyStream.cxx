@@ -19,29 +19,6 @@ namespace
 {
 using Bytes = std::vector<unsigned char>;
 
-const char* GetTypeName(int type)
-{
-  switch (type)
-  {
-    case VTK_SIGNED_CHAR:
-      return "char";
-    case VTK_UNSIGNED_CHAR:
-      return "uchar";
-    case VTK_SHORT:
-      return "short";
-    case VTK_UNSIGNED_SHORT:
-      return "ushort";
-    case VTK_INT:
-      return "int";
-    case VTK_UNSIGNED_INT:
-      return "uint";
-    case VTK_FLOAT:
-      return "float";
-    default:
-      return "double";
-  }
-}
-
 void Append(Bytes& bytes, std::string_view text)
 {
   bytes.insert(bytes.end(), text.begin(), text.end());
@@ -222,8 +199,9 @@ private:
       for (const vtkMTPlyProperty& property : element.Properties)
       {
         Append(bytes, "property ");
-        Append(bytes, property.IsList() ? "list " + std::string(GetTypeName(property.CountType)) + " " : "");
-        Append(bytes, std::string(GetTypeName(property.Type)) + " " + property.Name + "\n");
+        Append(
+          bytes, property.IsList() ? "list " + std::string(vtkMTPlyHeader::GetTypeName(property.CountType)) + " " : "");
+        Append(bytes, std::string(vtkMTPlyHeader::GetTypeName(property.Type)) + " " + property.Name + "\n");
       }
     }
     Append(bytes, "end_header\n");

@@ -2,6 +2,7 @@
 #include "vtkMTPlyWriter.h"
 
 #include "vtkMTOutputFile.h"
+#include "vtkMTPlyHeader.h"
 #include "vtkMTStreamWalk.h"
 
 #include "vtkDataSetAttributes.h"
@@ -13,33 +14,6 @@
 
 namespace
 {
-const char* PlyType(int type)
-{
-  switch (type)
-  {
-    case VTK_CHAR:
-      return std::numeric_limits<char>::is_signed ? "char" : "uchar";
-    case VTK_SIGNED_CHAR:
-      return "char";
-    case VTK_UNSIGNED_CHAR:
-      return "uchar";
-    case VTK_SHORT:
-      return "short";
-    case VTK_UNSIGNED_SHORT:
-      return "ushort";
-    case VTK_INT:
-      return "int";
-    case VTK_UNSIGNED_INT:
-      return "uint";
-    case VTK_FLOAT:
-      return "float";
-    case VTK_DOUBLE:
-      return "double";
-    default:
-      return ""; // an integer of 32 or 64 bits: see ChooseTypes
-  }
-}
-
 bool IsSignedInteger(int type)
 {
   return type == VTK_LONG || type == VTK_LONG_LONG || type == VTK_ID_TYPE;
@@ -156,7 +130,7 @@ void vtkMTPlyWriter::AddProperties(const vtkMTArrayInfo& array, std::size_t colu
     {
       property.Name += "_";
     }
-    property.Type = PlyType(array.Type);
+    property.Type = vtkMTPlyHeader::GetTypeName(array.Type);
     property.Is64 = property.Type.empty() && size == 8;
     property.IsSigned = IsSignedInteger(array.Type);
     if (property.Type.empty() && size == 4)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTStlReader.h"
 
-#include "vtkMTFileByteSource.h"
+#include "vtkMTReadWhole.h"
 #include "vtkMTStlText.h"
 #include "vtkMTTextFormat.h"
 
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <exception>
 #include <limits>
 
 namespace
@@ -118,27 +117,11 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
 
 bool vtkMTStlReader::Read(const std::string& path, vtkPolyData* output, std::string& error)
 {
-  const auto bytes = vtkMTFileByteSource::Open(path, error);
-  output->Initialize();
-  return bytes && Read(*bytes, output, error);
+  return vtkMTReadWhole::ReadFile<vtkMTStlReader>(path, output, error);
 }
 
 bool vtkMTStlReader::Read(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
 {
-  output->Initialize();
-  std::string reason;
-  try
-  {
-    if (ReadBytes(bytes, output, reason))
-    {
-      return true;
-    }
-  }
-  catch (const std::exception& exception) // no memory
-  {
-    reason = exception.what();
-  }
-  output->Initialize();
-  error = bytes.GetName() + ": " + reason;
-  return false;
+  return vtkMTReadWhole::Read(
+    bytes, output, error, [&](std::string& reason) { return ReadBytes(bytes, output, reason); });
 }

@@ -16,26 +16,17 @@
 #ifndef vtkMTPartitionFilter_h
 #define vtkMTPartitionFilter_h
 
+#include "vtkMTPartitionAlgorithm.h"
 #include "vtkMTPartitionModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For members
 
 #include <string> // For members
 
-class vtkMTPartitionStrategy;
-
-class VTKMTPARTITION_EXPORT vtkMTPartitionFilter : public vtkPolyDataAlgorithm
+class VTKMTPARTITION_EXPORT vtkMTPartitionFilter : public vtkMTPartitionAlgorithm
 {
 public:
   static vtkMTPartitionFilter* New();
-  vtkTypeMacro(vtkMTPartitionFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMTPartitionFilter, vtkMTPartitionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// How regions are placed. Default: vtkMTVoronoiPartition. A null pointer is an error of the filter.
-  void SetPartitionStrategy(vtkMTPartitionStrategy* strategy);
-  vtkMTPartitionStrategy* GetPartitionStrategy();
-  ///@}
 
   ///@{
   /// The wanted mean number of cells in a region; at most MaximumOverload times as many. Default 1000; clamped to [1,
@@ -60,21 +51,17 @@ public:
   /// Regions of the last execution.
   vtkGetMacro(NumberOfRegions, vtkIdType);
 
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkMTPartitionFilter();
   ~vtkMTPartitionFilter() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Reset() override;
+  bool AddRegions(const Barycentres& barycentres, vtkPolyData* output) override;
 
 private:
   vtkMTPartitionFilter(const vtkMTPartitionFilter&) = delete;
   void operator=(const vtkMTPartitionFilter&) = delete;
 
-  int Partition(vtkPolyData* output);
-
-  vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
   double TargetTriangles = 1000.0;
   int Level = 0;
   std::string RegionArrayName = "Region";

@@ -17,29 +17,17 @@
 #ifndef vtkMTPartitionSequence_h
 #define vtkMTPartitionSequence_h
 
+#include "vtkMTPartitionAlgorithm.h"
 #include "vtkMTPartitionModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For members
 
-#include <array>  // For helpers
 #include <string> // For members
-#include <vector> // For helpers
 
-class vtkMTPartition;
-class vtkMTPartitionStrategy;
-
-class VTKMTPARTITION_EXPORT vtkMTPartitionSequence : public vtkPolyDataAlgorithm
+class VTKMTPARTITION_EXPORT vtkMTPartitionSequence : public vtkMTPartitionAlgorithm
 {
 public:
   static vtkMTPartitionSequence* New();
-  vtkTypeMacro(vtkMTPartitionSequence, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMTPartitionSequence, vtkMTPartitionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /// How regions are placed. Default: vtkMTVoronoiPartition. A null pointer is an error of the filter.
-  void SetPartitionStrategy(vtkMTPartitionStrategy* strategy);
-  vtkMTPartitionStrategy* GetPartitionStrategy();
-  ///@}
 
   ///@{
   /// The wanted mean number of cells in a region of Psi_0. Default 1000; clamped to [1, 1e12].
@@ -62,23 +50,17 @@ public:
   /// Partitions of the last execution, n + 1.
   vtkGetMacro(NumberOfLevels, int);
 
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkMTPartitionSequence();
   ~vtkMTPartitionSequence() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Reset() override;
+  bool AddRegions(const Barycentres& barycentres, vtkPolyData* output) override;
 
 private:
   vtkMTPartitionSequence(const vtkMTPartitionSequence&) = delete;
   void operator=(const vtkMTPartitionSequence&) = delete;
 
-  int Partition(vtkPolyData* output);
-  void AddRegions(
-    const vtkMTPartition& partition, const std::vector<std::array<double, 3>>& barycentres, vtkPolyData* output);
-
-  vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
   double FirstTarget = 1000.0;
   double Growth = 2.0;
   std::string RegionArrayPrefix = "Region_";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extraction in a view: pixels, frustum, budget of what is drawn.
 #include "MTRandomGraph.h"
+#include "MTViews.h"
 
 #include "vtkMTExtraction.h"
 #include "vtkMTView.h"
@@ -15,46 +16,6 @@
 
 namespace
 {
-// From above the plane's point (x, y), height h, looking down and along +y by the angle.
-vtkMTView LookAt(double x, double y, double height, double tilt, bool parallel = false)
-{
-  vtkMTView view;
-  const double c = std::cos(tilt);
-  const double s = std::sin(tilt);
-  // Eye axes: right (1, 0, 0), up (0, c, s), back (0, -s, c).
-  const double axes[3][3] = { { 1.0, 0.0, 0.0 }, { 0.0, c, s }, { 0.0, -s, c } };
-  const double eye[3] = { x, y, height };
-  for (int i = 0; i < 3; ++i)
-  {
-    double shift = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      view.ModelToEye[4 * i + k] = axes[i][k];
-      shift -= axes[i][k] * eye[k];
-    }
-    view.ModelToEye[4 * i + 3] = shift;
-  }
-  view.UpdateStretch();
-  view.ParallelProjection = parallel;
-  view.HalfSize = parallel ? std::array<double, 2>{ 0.3, 0.2 } : std::array<double, 2>{ 0.5, 0.3 };
-  view.PixelsPerUnit = 400.0 / view.HalfSize[0];
-  view.Near = 0.01;
-  view.Far = 10.0;
-  return view;
-}
-
-std::vector<vtkMTView> GetViews()
-{
-  std::vector<vtkMTView> views;
-  std::mt19937 random(1);
-  const auto draw = [&random] { return static_cast<double>(random() % 1000) / 1000.0; };
-  for (int i = 0; i < 24; ++i)
-  {
-    views.push_back(LookAt(draw(), draw(), 0.05 + draw(), 1.3 * draw(), i % 4 == 3));
-  }
-  return views;
-}
-
 vtkMTExtraction::Result Extract(
   const vtkMTGraph& graph, const vtkMTView& view, const vtkMTExtraction::Settings& settings)
 {
@@ -68,7 +29,7 @@ vtkMTExtraction::Result Extract(
 TEST(ExtractionView, EverythingVisibleIsBelowTheThreshold)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(4, 300);
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     for (const double pixels : { 0.1, 0.5, 2.0 })
     {
@@ -91,7 +52,7 @@ TEST(ExtractionView, NoNodeIsRefinedWithoutNeed)
 {
   std::size_t nodes = 0;
   const vtkMTGraph graph = MTRandomGraph::Make(8, 200);
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     vtkMTExtraction::Settings settings;
     settings.PixelError = 0.5;
@@ -122,7 +83,7 @@ TEST(ExtractionView, NoNodeIsRefinedWithoutNeed)
 TEST(ExtractionView, SmallerThresholdsRefineTheSameNodesAndMore)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(9, 200);
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     vtkMTCut last(graph);
     for (const double pixels : { 10.0, 3.0, 1.0, 0.3, 0.1 })
@@ -144,7 +105,7 @@ TEST(ExtractionView, NoPointOfACulledPatchIsInTheFrustum)
   const vtkMTGraph graph = MTRandomGraph::Make(10, 200);
   std::size_t points = 0;
   std::size_t culled = 0;
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     vtkMTExtraction::Settings settings;
     const auto result = Extract(graph, view, settings);
@@ -182,7 +143,7 @@ TEST(ExtractionView, NoPointOfACulledPatchIsInTheFrustum)
 TEST(ExtractionView, CullingOffDrawsTheSameCutWhole)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(12, 200);
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     vtkMTExtraction::Settings settings;
     const auto culled = Extract(graph, view, settings);
@@ -204,7 +165,7 @@ TEST(ExtractionView, BudgetCountsWhatIsDrawnAndIsUsed)
   }
   double least = 1.0;
   int short_ = 0;
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     for (const double patches : { 50.0, 100.0, 300.0 })
     {
@@ -237,7 +198,7 @@ TEST(ExtractionView, KeptCutIsShownAsItWasExtracted)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(14, 200);
   vtkMTExtraction extraction;
-  for (const vtkMTView& view : GetViews())
+  for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
     vtkMTExtraction::Settings settings;
     settings.PixelError = 0.5;
@@ -257,7 +218,7 @@ TEST(ExtractionView, KeptCutIsShownAsItWasExtracted)
 TEST(ExtractionView, OutOfSightNothingIsRefinedOrDrawn)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(15, 100);
-  const vtkMTView view = LookAt(0.5, 0.5, 0.5, 3.0); // upwards
+  const vtkMTView view = MTViews::LookAt(0.5, 0.5, 0.5, 3.0); // upwards
   const auto result = Extract(graph, view, vtkMTExtraction::Settings());
   EXPECT_EQ(result.NodesRefined, 0u);
   EXPECT_TRUE(result.Arcs.empty());
