@@ -7,6 +7,7 @@
 #include "vtkMTGraph.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPatchCodec.h"
+#include "vtkMTRelease.h"
 
 #include <array>
 #include <limits>
@@ -192,7 +193,7 @@ struct vtkMTFileSink::Internals
       error = output.GetError();
       return false;
     }
-    head = {};
+    vtkMTRelease(head);
     for (const std::uint32_t patch : patchOfArc)
     {
       if (!this->Copy(&this->Sections[patch * this->SectionsPerPatch()], this->SectionsPerPatch(), output, error))

@@ -2,6 +2,7 @@
 #include "vtkMTRecordSort.h"
 
 #include "vtkMTRadixSort.h"
+#include "vtkMTRelease.h"
 
 #include <algorithm>
 #include <queue>
@@ -69,6 +70,16 @@ public:
     return this->Inputs[this->Last].Buffer.data() + this->Inputs[this->Last].Place;
   }
 
+  std::size_t GetMemorySize() const
+  {
+    std::size_t size = 0;
+    for (const Input& input : this->Inputs)
+    {
+      size += input.Buffer.capacity();
+    }
+    return size;
+  }
+
 private:
   struct Input
   {
@@ -93,7 +104,7 @@ private:
     input.Place = 0;
     if (size == 0)
     {
-      input.Buffer = {};
+      vtkMTRelease(input.Buffer);
       return true;
     }
     input.Buffer.resize(size);
@@ -191,7 +202,7 @@ bool vtkMTRecordSort::WriteRun()
     }
   }
   this->Runs.push_back({ begin, this->Spool->GetSize() });
-  this->Order = {};
+  vtkMTRelease(this->Order);
   this->Buffer.clear();
   return true;
 }
@@ -256,7 +267,7 @@ bool vtkMTRecordSort::Finish()
   {
     return false;
   }
-  this->Buffer = {};
+  vtkMTRelease(this->Buffer);
   if (!this->MergeGroups())
   {
     return false;
@@ -276,4 +287,10 @@ const unsigned char* vtkMTRecordSort::Next()
     return nullptr;
   }
   return this->Buffer.data() + this->Order[this->NextInBuffer++].second * this->RecordSize;
+}
+
+std::size_t vtkMTRecordSort::GetMemorySize() const
+{
+  return this->Buffer.capacity() + this->Order.capacity() * sizeof(this->Order[0]) +
+    (this->Merger ? this->Merger->GetMemorySize() : 0);
 }

@@ -48,6 +48,8 @@ public:
   }
 
   std::uint64_t GetNumberOfRecords() const { return this->Count; }
+  /// Bytes held now; a little more while a run is sorted.
+  std::size_t GetMemorySize() const;
   /// Empty unless something failed.
   const std::string& GetError() const { return this->Error; }
   bool HasFailed() const { return !this->Error.empty(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTRecordSpool.h"
 
+#include "vtkMTRelease.h"
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -53,7 +54,7 @@ bool vtkMTRecordSpool::Seal(std::string& error)
   {
     return false;
   }
-  this->Buffer = {};
+  vtkMTRelease(this->Buffer);
   this->Entries.shrink_to_fit();
   this->SortEntries();
   return true;
@@ -149,7 +150,7 @@ void vtkMTRecordSpool::Remove()
     this->Spool.reset();
     this->Store->Remove(this->Name);
   }
-  this->Entries = {};
-  this->First = {};
-  this->Buffer = {};
+  vtkMTRelease(this->Entries);
+  vtkMTRelease(this->First);
+  vtkMTRelease(this->Buffer);
 }

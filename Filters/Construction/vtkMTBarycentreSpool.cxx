@@ -2,6 +2,7 @@
 #include "vtkMTBarycentreSpool.h"
 
 #include "vtkMTPatch.h"
+#include "vtkMTRelease.h"
 
 #include <algorithm>
 
@@ -54,7 +55,7 @@ bool vtkMTBarycentreSpool::Put(const std::vector<Barycentre>& barycentres, std::
 bool vtkMTBarycentreSpool::Seal(std::string& error)
 {
   const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
-  this->Buffer = {};
+  vtkMTRelease(this->Buffer);
   return done;
 }
 

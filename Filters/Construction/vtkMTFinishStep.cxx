@@ -2,6 +2,7 @@
 #include "vtkMTFinishStep.h"
 
 #include "vtkMTPartitionStrategy.h"
+#include "vtkMTRelease.h"
 #include "vtkMTSimplifier.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ bool vtkMTFinishStep::FinishGraph()
     arc.To = record.ToNode == vtkMTBuildState::None ? graph.GetSink() : place[record.ToNode];
     graph.Arcs.push_back(arc);
   }
-  this->State.Arcs = {};
+  vtkMTRelease(this->State.Arcs);
   const std::vector<std::uint32_t> patchOfArc = graph.Index();
   graph.Saturate(graph.Lattice.MaximumShift);
   graph.Settings["partition"] = this->Options.Partition->GetSettings();

@@ -4,6 +4,7 @@
 #include "vtkMTBytes.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
+#include "vtkMTRelease.h"
 #include "vtkMTSharedIds.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
   const std::vector<Point> points = ReadAll<Point>(records.Points, layout.PointSize);
   this->Mesh.PointColumns.resize(layout.PointTupleSizes.size());
   const std::vector<std::uint32_t> wedgeOf = MakeWedges(points, records.Points, layout, this->Mesh);
-  records.Points = {};
+  vtkMTRelease(records.Points);
 
   const std::vector<Triangle> triangles = ReadAll<Triangle>(records.Triangles, layout.TriangleSize);
   this->Mesh.CellColumns.resize(layout.CellTupleSizes.size() + 1);
@@ -105,7 +106,7 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
     const auto* id = reinterpret_cast<const unsigned char*>(&triangles[t].CellId);
     ids.insert(ids.end(), id, id + sizeof(triangles[t].CellId));
   }
-  records.Triangles = {};
+  vtkMTRelease(records.Triangles);
   this->Orientation.Run(this->Mesh, this->Numbers);
   this->SharedPlaces = vtkMTSharedIds::FindPlaces(this->Mesh);
   if (layout.MakeNormals)

@@ -4,6 +4,7 @@
 #include "vtkMTBarycentreSample.h"
 #include "vtkMTRegularFamily.h"
 #include "vtkMTRegularRegions.h"
+#include "vtkMTRelease.h"
 #include "vtkMTSeedPartition.h"
 #include "vtkObjectFactory.h"
 
@@ -106,7 +107,7 @@ std::unique_ptr<vtkMTPartition> vtkMTRegularPartition::Build(vtkMTBarycentreScan
   const int smallest = vtkMTRegularFamily::GetSmallestExponent(sample.Largest);
   const double wanted = static_cast<double>(sample.Count) / target;
   const int family = ChooseFamily(sample.Points, wanted, level, smallest);
-  sample.Points = {};
+  vtkMTRelease(sample.Points);
   auto regions =
     std::make_unique<vtkMTRegularRegions>(family, vtkMTRegularFamily::GetFamilyOf(smallest, vtkMTRegularFamily::Edges));
   if (!regions->Fill(scan, target))

@@ -3,6 +3,7 @@
 
 #include "vtkMTBarycentreSample.h"
 #include "vtkMTRadiusScan.h"
+#include "vtkMTRelease.h"
 #include "vtkMTSeedBound.h"
 #include "vtkMTSeedPartition.h"
 #include "vtkMTSeedRelaxation.h"
@@ -52,7 +53,7 @@ std::unique_ptr<vtkMTPartition> vtkMTVoronoiPartition::Build(vtkMTBarycentreScan
   {
     seeds = relaxation.Step(sample.Points, std::move(seeds));
   }
-  sample.Points = {};
+  vtkMTRelease(sample.Points);
   return vtkMTSeedBound(scan, target, this->SamplesPerRegion, level).Hold(std::move(seeds));
 }
 

@@ -96,6 +96,31 @@ TEST(RecordSort, ManyMoreRunsThanBuffersAreMergedInSeveralPasses)
   ExpectStablySorted(records, sorted);
 }
 
+TEST(RecordSort, HoldsNoMoreThanItsMemoryAtAnyTime)
+{
+  constexpr std::size_t Memory = std::size_t(2) << 20;
+  vtkMTMemorySpoolStore store;
+  vtkMTRecordSort sort(store, sizeof(Record), Memory);
+  std::size_t most = 0;
+  const std::vector<Record> records = MakeRecords(500000, 1000000);
+  for (const Record& record : records)
+  {
+    ASSERT_TRUE(sort.Add(&record));
+    most = std::max(most, sort.GetMemorySize());
+  }
+  std::printf("while records are added: %.2f of what is allowed\n", static_cast<double>(most) / Memory);
+  EXPECT_LE(most, Memory);
+  ASSERT_TRUE(sort.Finish());
+  std::size_t mostMerged = 0;
+  while (sort.Next())
+  {
+    mostMerged = std::max(mostMerged, sort.GetMemorySize());
+  }
+  std::printf("while runs are merged: %.2f of what is allowed\n", static_cast<double>(mostMerged) / Memory);
+  EXPECT_LE(mostMerged, Memory);
+  EXPECT_EQ(sort.GetMemorySize(), 0u);
+}
+
 TEST(RecordSort, EveryFailedWriteAndReadIsReported)
 {
   const std::vector<Record> records = MakeRecords(120000, 500);
