@@ -246,6 +246,8 @@ public:
   vtkGetMacro(Loading, bool);
   vtkGetMacro(CutTime, double);
   vtkGetMacro(FrameTime, double);
+  /// The part of it that was not spent in draw calls: cut, uploads, shaders, bookkeeping.
+  vtkGetMacro(OverheadTime, double);
   ///@}
 
   ///@{
@@ -330,6 +332,9 @@ private:
   void UploadEarlyPatches();
   void BeginUpload();
   bool IsUploaded();
+  bool IsAllThere();
+  void RememberUpload();
+  const std::array<double, 6>& GetModelBounds();
   void DrawLess();
   void ReportFailures();
   void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
@@ -378,6 +383,7 @@ private:
   vtkIdType NumberOfCuts = 0;
   double CutTime = 0.0;
   double FrameTime = 0.0;
+  double OverheadTime = 0.0;
 
   std::unique_ptr<Internals> Implementation;
 };

@@ -187,6 +187,29 @@ bool vtkMultiTriangulationMapper::IsUploaded()
 }
 
 //------------------------------------------------------------------------------
+// Whether nothing has changed since all of the cut was found to be on the GPU. Nothing has been dropped, so what the
+// frame draws is still what was used last.
+bool vtkMultiTriangulationMapper::IsAllThere()
+{
+  Internals& self = *this->Implementation;
+  const Internals::Uploaded now{ self.Cut, self.Keeper.GetNumberOfSearches(), self.Arena.GetChanges(),
+    this->GetGraphicsLimit() };
+  return now == self.LastUpload;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RememberUpload()
+{
+  Internals& self = *this->Implementation;
+  self.LastUpload = Internals::Uploaded();
+  if (self.Cut->OnTarget && this->IsUploaded())
+  {
+    self.LastUpload = { self.Cut, self.Keeper.GetNumberOfSearches(), self.Arena.GetChanges(),
+      this->GetGraphicsLimit() };
+  }
+}
+
+//------------------------------------------------------------------------------
 // Takes the patch for one that cannot be had. True when that is news, so that another cut is needed.
 bool vtkMultiTriangulationMapper::GiveUp(std::uint32_t arc)
 {
