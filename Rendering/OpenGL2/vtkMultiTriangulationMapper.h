@@ -192,9 +192,9 @@ public:
 
   ///@{
   /**
-   * Bytes of patches in main memory, those that are being loaded included: never more. Default 512 MiB; negative values
-   * are clamped to 0. A patch that does not fit the limit while it is read is not drawn, its coarser one is, and an
-   * error is reported.
+   * Bytes of patches in main memory, those that are being loaded and what decoding them takes included: never more.
+   * Default 512 MiB; negative values are clamped to 0. A patch that does not fit the limit while it is read is not
+   * drawn, its coarser one is, and an error is reported.
    */
   vtkSetClampMacro(PatchMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(PatchMemoryLimit, vtkIdType);
@@ -274,6 +274,10 @@ public:
 
   /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
   std::vector<std::uint32_t> GetDrawnArcs() const;
+
+  /// An arc's patch, if it is in main memory, or null. It has the arrays that were needed to draw it, at least. Waits
+  /// for nothing.
+  std::shared_ptr<const vtkMTPatch> GetPatchInMemory(std::uint32_t arc) const;
 
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

@@ -18,6 +18,12 @@ vtkIdType vtkMultiTriangulationMapper::GetMostPatchMemory()
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const vtkMTPatch> vtkMultiTriangulationMapper::GetPatchInMemory(std::uint32_t arc) const
+{
+  return this->Implementation->Cache ? this->Implementation->Cache->Get(arc) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 double vtkMultiTriangulationMapper::GetLongestLock()
 {
   return this->Implementation->Cache ? this->Implementation->Cache->GetLoader().GetLongestLock() : 0.0;
