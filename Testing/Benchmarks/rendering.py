@@ -34,7 +34,7 @@ def fly(arguments, model, name, *options):
     """The summary that fly_through writes."""
     output = arguments.work / f"{name}.json"
     command = [arguments.bin / "fly_through", model, "--json", output, "--size", *arguments.size,
-               "--memory", arguments.memory, *options]
+               "--memory", arguments.memory, "--error", arguments.error, *options]
     subprocess.run([str(part) for part in command], check=True, stdout=subprocess.DEVNULL)
     return json.loads(output.read_text())
 
@@ -77,7 +77,8 @@ def flight(arguments):
             int(one["loads"]) if own else "-", one["stalls"],
             number(one["longest_lock_ms"], 3) if own else "-"])
     size = "x".join(str(side) for side in arguments.size)
-    table(f"Flight past {million(done['mapper']['triangles'])} triangles, {size}, 1 pixel, {arguments.memory} MB",
+    table(f"Flight past {million(done['mapper']['triangles'])} triangles, {size}, 1 pixel ({arguments.error}), "
+          f"{arguments.memory} MB",
           ["who", "frames", "frame ms, median", "worst", "cut ms, median", "worst", "triangles, median and most",
            "patches MB, peak", "GPU MB, peak", "process MB, peak", "loads", "stalls", "longest wait ms"], rows)
 
@@ -113,7 +114,7 @@ def models(arguments):
                      number(100 * share) + " %"])
     ratios = [max(column) / max(min(column), 1e-9) for column in columns]
     rows.append(["largest to smallest"] + [number(ratio, 2) for ratio in ratios] + ["-"])
-    table("The same view of models of several sizes",
+    table(f"The same view of models of several sizes, error: {arguments.error}",
           ["model", "frame ms, median", "cut ms, median", "triangles", "of full resolution"], rows)
 
 
@@ -143,6 +144,8 @@ def main():
     parser.add_argument("--view", type=float, default=0.0, help="which one: a share of the path")
     parser.add_argument("--size", type=int, nargs=2, default=[1920, 1080])
     parser.add_argument("--memory", type=float, default=90, help="megabytes")
+    parser.add_argument("--error", choices=["distance", "edges"], default="distance",
+                        help="what flight and models bound: the certified distance or the mean edge length")
     parser.add_argument("--quick", action="store_true")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
