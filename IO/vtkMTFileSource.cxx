@@ -332,6 +332,29 @@ std::uint64_t vtkMTFileSource::GetPatchSize(std::uint32_t arc) const
   return size;
 }
 
+// What vtkMTPackedGeometry and vtkMTColumnCodec hold while they work: gates (three per triangle at most) with their
+// queue and stack, bases, orders and identities of wedges; then one column's bytes. LoadingFromFile compares it with
+// what is allocated.
+std::uint64_t vtkMTFileSource::GetDecodeSize(std::uint32_t arc) const
+{
+  constexpr std::uint64_t bytesPerTriangle = 128;
+  constexpr std::uint64_t bytesPerWedge = 128;
+  constexpr std::uint64_t bytesPerTuple = 4;
+  if (arc >= this->Graph.Arcs.size())
+  {
+    return 0;
+  }
+  const vtkMTArc& record = this->Graph.Arcs[arc];
+  std::uint64_t size =
+    bytesPerTriangle * std::uint64_t(record.Triangles) + bytesPerWedge * std::uint64_t(record.Wedges);
+  for (const vtkMTArrayInfo& array : this->Graph.Arrays)
+  {
+    const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? record.Wedges : record.Triangles;
+    size = std::max(size, tuples * (array.GetTupleSize() + bytesPerTuple));
+  }
+  return size;
+}
+
 std::vector<std::uint64_t> vtkMTFileSource::GetSizeByKind() const
 {
   std::vector<std::uint64_t> sizes(this->Graph.Arrays.size() + 1, 0);

@@ -54,6 +54,7 @@ public:
   std::uint64_t GetPatchPlace(std::uint32_t arc) const override;
   bool ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const override;
   std::uint64_t GetPatchSize(std::uint32_t arc) const override;
+  std::uint64_t GetDecodeSize(std::uint32_t arc) const override;
   std::string GetName() const override;
 
   /// Bytes that all patches together take for their geometry, then for each of the graph's arrays, padding counted.

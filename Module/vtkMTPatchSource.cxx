@@ -26,6 +26,12 @@ void vtkMTPatchSource::ReadPatches(
 }
 
 //------------------------------------------------------------------------------
+std::uint64_t vtkMTPatchSource::GetDecodeSize(std::uint32_t) const
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t vtkMTPatchSource::GetPatchPlace(std::uint32_t arc) const
 {
   return arc;

@@ -54,6 +54,10 @@ public:
   /// Bytes that reading the arc's patch with all arrays takes from the store; an estimate for budgets.
   virtual std::uint64_t GetPatchSize(std::uint32_t arc) const = 0;
 
+  /// Bytes that decoding the arc's patch takes at most, beside the patch itself and what is read from the store. The
+  /// default, 0, is for stores that keep patches as they are.
+  virtual std::uint64_t GetDecodeSize(std::uint32_t arc) const;
+
   /// Where the arc's patch begins in the store, in bytes: patches whose places follow each other can be read together.
   /// The default: the arc's index, for stores whose patches have no places.
   virtual std::uint64_t GetPatchPlace(std::uint32_t arc) const;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTArcViews.h"
 
-#include "vtkMTArcBounds.h"
-#include "vtkMTCut.h"
-#include "vtkMTGraph.h"
 #include "vtkMTView.h"
 
 #include <algorithm>
@@ -11,56 +8,46 @@
 
 void vtkMTArcViews::Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTExtraction::Settings& settings)
 {
-  for (const std::uint32_t arc : this->Touched)
+  ++this->Frame;
+  // The number has come round, or arcs have other places: nothing that is known may be taken for this frame's.
+  if (this->Frame == 0 || this->Views.size() != graph.Arcs.size())
   {
-    this->ViewOfArc[arc] = 0;
+    this->Views.assign(graph.Arcs.size(), ArcView());
+    this->Frame = 1;
   }
-  this->Views.clear();
-  this->Touched.clear();
-  this->ViewOfArc.resize(graph.Arcs.size(), 0);
   this->Graph = &graph;
   this->Eye = view;
-  this->Frustum = view ? vtkMTFrustum(*view) : vtkMTFrustum();
+  this->Projector = view ? vtkMTArcProjector(graph.Lattice, *view) : vtkMTArcProjector();
   this->Options = settings;
   this->Threshold = view ? settings.PixelError : settings.ModelError;
   this->Side = view && settings.FacingCulling ? vtkMTArcViews::FindFacing(*view) : std::nullopt;
 }
 
-const vtkMTArcViews::ArcView& vtkMTArcViews::Look(std::uint32_t arc)
+void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
 {
-  std::uint32_t& known = this->ViewOfArc[arc];
-  if (known == 0)
-  {
-    this->Touched.push_back(arc);
-    this->Views.push_back(this->Make(this->Graph->Arcs[arc]));
-    known = static_cast<std::uint32_t>(this->Views.size());
-  }
-  return this->Views[known - 1];
-}
-
-vtkMTArcViews::ArcView vtkMTArcViews::Make(const vtkMTArc& arc) const
-{
-  ArcView view;
+  view = ArcView();
+  view.Frame = this->Frame;
+  const vtkMTArc& arc = this->Graph->Arcs[index];
   const vtkMTNode& node = this->Graph->Nodes[arc.To];
   const double error = this->Options.ErrorChoice == vtkMTExtraction::EdgeLength ? node.EdgeLength : node.Error;
   if (!this->Eye)
   {
     view.Wanted = error;
-    return view;
+    return;
   }
-  const vtkMTArcBounds bounds(*this->Graph, arc);
-  const bool visible = this->Frustum.IsVisible(bounds);
+  const vtkMTArcProjector::Box box(arc.Box);
+  const double inside = this->Projector.GetInside(box);
+  const bool visible = inside >= 0.0;
   view.Outside = !visible && this->Options.FrustumCulling;
-  view.FacesAway = !view.Outside && this->Side && this->FacesAway(arc, bounds.Box);
+  view.FacesAway = !view.Outside && this->Side && this->FacesAway(arc);
   // What the patch stands for may reach into the frustum where the patch itself does not.
-  if (visible || this->Frustum.IsVisible(bounds, node.Error))
+  if (inside + node.Error >= 0.0)
   {
-    view.Certified = this->Eye->GetPixelError(bounds.Center, bounds.Radius, node.Error);
-    view.Wanted = this->Options.ErrorChoice == vtkMTExtraction::Distance
-      ? view.Certified
-      : this->Eye->GetPixelError(bounds.Center, bounds.Radius, error);
+    const vtkMTArcProjector::Depth depth = this->Projector.GetDepth(box);
+    view.Certified = this->Projector.GetPixelError(depth, node.Error);
+    view.Wanted = this->Options.ErrorChoice == vtkMTExtraction::Distance ? view.Certified
+                                                                         : this->Projector.GetPixelError(depth, error);
   }
-  return view;
 }
 
 double vtkMTArcViews::GetWanted(std::uint32_t node)
@@ -74,12 +61,6 @@ double vtkMTArcViews::GetWanted(std::uint32_t node)
   return wanted;
 }
 
-std::uint64_t vtkMTArcViews::GetBytes(const vtkMTArc& arc) const
-{
-  return std::uint64_t(arc.Wedges) * this->Options.BytesPerVertex +
-    std::uint64_t(arc.Triangles) * this->Options.BytesPerTriangle;
-}
-
 bool vtkMTArcViews::Fits(std::uint64_t triangles, std::uint64_t bytes) const
 {
   return (this->Options.TriangleBudget == 0 || triangles <= this->Options.TriangleBudget) &&
@@ -88,8 +69,8 @@ bool vtkMTArcViews::Fits(std::uint64_t triangles, std::uint64_t bytes) const
 
 bool vtkMTArcViews::IsNearby(std::uint32_t arc) const
 {
-  const vtkMTArcBounds bounds(*this->Graph, this->Graph->Arcs[arc]);
-  return this->Eye && this->Frustum.IsVisible(bounds, 2.0 * bounds.Radius);
+  const vtkMTArcProjector::Box box(this->Graph->Arcs[arc].Box);
+  return this->Eye && this->Projector.IsVisible(box, 2.0 * this->Projector.GetRadius(box));
 }
 
 // The determinant of an affine map says whether it keeps the sense in which a triangle's corners turn; the inverse of
@@ -153,7 +134,7 @@ std::optional<vtkMTArcViews::Facing> vtkMTArcViews::FindFacing(const vtkMTView& 
 // cone's rim; as a function of x that is concave, so its least value over a box is at a corner. The angle between the
 // axis and the line of sight must be less than a right angle by the cone's and by a little more, because the pictures
 // are made in single precision.
-bool vtkMTArcViews::FacesAway(const vtkMTArc& arc, const double box[6]) const
+bool vtkMTArcViews::FacesAway(const vtkMTArc& arc) const
 {
   constexpr double margin = 2e-3;
   const double length = std::sqrt(double(arc.ConeAxis[0]) * arc.ConeAxis[0] +
@@ -162,6 +143,8 @@ bool vtkMTArcViews::FacesAway(const vtkMTArc& arc, const double box[6]) const
   {
     return false;
   }
+  double box[6];
+  this->Graph->Lattice.ToWorld(arc.Box, box);
   const double cosine = std::min(1.0, double(arc.ConeCosine));
   const double least = std::sqrt(1.0 - cosine * cosine) + margin;
   const double sign = this->Side->Sign / length;
@@ -185,17 +168,16 @@ bool vtkMTArcViews::FacesAway(const vtkMTArc& arc, const double box[6]) const
   return true;
 }
 
-void vtkMTArcViews::Report(
-  const vtkMTCut& cut, const std::vector<std::uint32_t>& refinedNodes, vtkMTExtraction::Result& result)
+void vtkMTArcViews::Report(vtkMTExtraction::Result& result)
 {
   const vtkMTGraph& graph = *this->Graph;
-  for (const std::uint32_t node : refinedNodes)
+  for (const std::uint32_t node : result.RefinedNodes)
   {
     const vtkMTNode& record = graph.Nodes[node];
     for (std::uint32_t index = record.FirstOut; index < record.FirstOut + record.OutCount; ++index)
     {
       const vtkMTArc& arc = graph.Arcs[index];
-      if (cut.IsRefined(arc.To))
+      if (result.Cut.IsRefined(arc.To))
       {
         continue;
       }
@@ -217,7 +199,7 @@ void vtkMTArcViews::Report(
       }
     }
   }
-  std::sort(result.Arcs.begin(), result.Arcs.end());
-  result.NodesRefined = refinedNodes.empty() ? 0 : refinedNodes.size() - 1; // the source is always refined
+  result.NodesRefined =
+    result.RefinedNodes.empty() ? 0 : result.RefinedNodes.size() - 1; // the source is always refined
   result.WithinBudget = this->Fits(result.Triangles, result.Bytes);
 }

@@ -3,8 +3,9 @@
 #ifndef vtkMTArcViews_h
 #define vtkMTArcViews_h
 
+#include "vtkMTArcProjector.h"
 #include "vtkMTExtraction.h"
-#include "vtkMTFrustum.h"
+#include "vtkMTGraph.h"
 
 #include <array>
 #include <cstdint>
@@ -12,9 +13,6 @@
 #include <optional>
 #include <vector>
 
-class vtkMTCut;
-class vtkMTGraph;
-struct vtkMTArc;
 struct vtkMTView;
 
 class vtkMTArcViews
@@ -26,6 +24,7 @@ public:
   {
     bool Outside = false;      // of the frustum, and left out for that
     bool FacesAway = false;    // and left out for that
+    std::uint32_t Frame = 0;   // in which somebody looked last
     double Wanted = NotWanted; // the error that refining the arc's node would remedy
     double Certified = 0.0;    // pixels
 
@@ -35,27 +34,39 @@ public:
   // Begins a frame: forgets what was looked up. Graph and view must live until the next call.
   void Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTExtraction::Settings& settings);
 
-  const ArcView& Look(std::uint32_t arc);
+  const ArcView& Look(std::uint32_t arc)
+  {
+    ArcView& view = this->Views[arc];
+    if (view.Frame != this->Frame)
+    {
+      this->Make(arc, view);
+    }
+    return view;
+  }
   // The largest Wanted of the arcs that enter the node.
   double GetWanted(std::uint32_t node);
   // Bytes of a patch on the GPU.
-  std::uint64_t GetBytes(const vtkMTArc& arc) const;
+  std::uint64_t GetBytes(const vtkMTArc& arc) const
+  {
+    return std::uint64_t(arc.Wedges) * this->Options.BytesPerVertex +
+      std::uint64_t(arc.Triangles) * this->Options.BytesPerTriangle;
+  }
   // Whether what is drawn is within the budgets.
   bool Fits(std::uint64_t triangles, std::uint64_t bytes) const;
   // Whether the patch is outside the frustum, but not by more than its own size.
   bool IsNearby(std::uint32_t arc) const;
 
-  // The arcs of a cut that are drawn, and their figures; the refined nodes in any order, the source among them.
-  void Report(const vtkMTCut& cut, const std::vector<std::uint32_t>& refinedNodes, vtkMTExtraction::Result& result);
+  // The arcs of the result's cut that are drawn, and their figures; its refined nodes must be there.
+  void Report(vtkMTExtraction::Result& result);
 
   double GetThreshold() const { return this->Threshold; }
 
 private:
-  ArcView Make(const vtkMTArc& arc) const;
+  void Make(std::uint32_t arc, ArcView& view) const;
 
   const vtkMTGraph* Graph = nullptr;
   const vtkMTView* Eye = nullptr;
-  vtkMTFrustum Frustum;
+  vtkMTArcProjector Projector;
   vtkMTExtraction::Settings Options;
   double Threshold = 0.0;
   struct Facing
@@ -66,12 +77,11 @@ private:
   };
   std::optional<Facing> Side; // none: nothing is left out for facing away
 
-  std::vector<ArcView> Views;
-  std::vector<std::uint32_t> ViewOfArc; // 1 + index in Views; 0 while nobody has looked
-  std::vector<std::uint32_t> Touched;
+  std::vector<ArcView> Views; // per arc; those of earlier frames are told by their number
+  std::uint32_t Frame = 0;
 
   static std::optional<Facing> FindFacing(const vtkMTView& view);
-  bool FacesAway(const vtkMTArc& arc, const double box[6]) const;
+  bool FacesAway(const vtkMTArc& arc) const;
 };
 
 #endif

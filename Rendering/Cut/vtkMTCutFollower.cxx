@@ -14,6 +14,9 @@
 namespace
 {
 constexpr unsigned char Unknown = 255;
+// Prefetching ends below this share of the threshold: by a step that leaves half as many triangles the error falls to
+// about so much.
+constexpr double NextSteps = 0.5;
 constexpr double Needed = std::numeric_limits<double>::infinity();
 
 struct Operation
@@ -105,6 +108,7 @@ public:
       this->Finish();
     }
     this->Out.UploadBytes = this->GetUploadBytes(this->Out.Arcs);
+    this->Owner.RefinedNodes = this->Out.RefinedNodes;
     this->UploadEarly();
     this->AddWants();
     return std::move(this->Out);
@@ -213,12 +217,13 @@ private:
 
   void TakeTarget()
   {
-    for (std::uint32_t node = 1; node < this->Graph.GetSink(); ++node)
+    for (const std::uint32_t node : this->Out.RefinedNodes)
     {
-      const bool was = this->Cut.IsRefined(node);
-      const bool is = this->Out.Cut.IsRefined(node);
-      this->Out.Refined += !was && is ? 1 : 0;
-      this->Out.Coarsened += was && !is ? 1 : 0;
+      this->Out.Refined += this->Cut.IsRefined(node) ? 0 : 1;
+    }
+    for (const std::uint32_t node : this->Owner.RefinedNodes)
+    {
+      this->Out.Coarsened += this->Out.Cut.IsRefined(node) ? 0 : 1;
     }
     this->Cut = this->Out.Cut;
   }
@@ -228,19 +233,16 @@ private:
   {
     this->Sum = Totals();
     this->Missing.clear();
-    for (std::uint32_t node = 0; node < this->Graph.GetSink(); ++node)
+    for (const std::uint32_t node : this->Owner.RefinedNodes)
     {
-      if (this->Cut.IsRefined(node))
-      {
-        this->ForLeaving(node,
-          [this](std::uint32_t arc)
+      this->ForLeaving(node,
+        [this](std::uint32_t arc)
+        {
+          if (!this->Cut.IsRefined(this->Graph.Arcs[arc].To))
           {
-            if (!this->Cut.IsRefined(this->Graph.Arcs[arc].To))
-            {
-              this->Enter(arc);
-            }
-          });
-      }
+            this->Enter(arc);
+          }
+        });
     }
   }
 
@@ -258,12 +260,8 @@ private:
   void AddNextSteps()
   {
     const double threshold = this->Views.GetThreshold();
-    for (std::uint32_t node = 0; node < this->Graph.GetSink(); ++node)
+    for (const std::uint32_t node : this->Owner.RefinedNodes)
     {
-      if (!this->Cut.IsRefined(node))
-      {
-        continue;
-      }
       if (this->Views.GetWanted(node) > threshold)
       {
         this->Target.RefineWithDependencies(node);
@@ -462,7 +460,7 @@ private:
 
   void PushRefinement(std::uint32_t node, RefinementHeap& heap)
   {
-    if (this->Cut.CanRefine(node) && this->Target.IsRefined(node))
+    if (this->Target.IsRefined(node) && this->Cut.CanRefine(node))
     {
       heap.push({ this->Views.GetWanted(node), node });
     }
@@ -543,17 +541,16 @@ private:
     this->Out.Forced = counts.Forced;
     this->Out.Complete = this->HasTarget && !this->Interrupted;
     this->Out.Cut = this->Cut;
-    std::vector<std::uint32_t> refined;
     bool same = true;
     for (std::uint32_t node = 0; node < this->Graph.GetSink(); ++node)
     {
       same = same && this->Cut.IsRefined(node) == this->Target.IsRefined(node);
       if (this->Cut.IsRefined(node))
       {
-        refined.push_back(node);
+        this->Out.RefinedNodes.push_back(node);
       }
     }
-    this->Views.Report(this->Cut, refined, this->Out);
+    this->Views.Report(this->Out);
     this->Out.OnTarget = this->HasTarget && same;
   }
 
@@ -672,29 +669,37 @@ private:
   // down to the coarsest one.
   void WantSurroundings()
   {
-    for (std::uint32_t node = 1; node < this->Graph.GetSink(); ++node)
+    for (const std::uint32_t node : this->Out.RefinedNodes)
     {
-      if (this->Cut.IsRefined(node))
-      {
-        const double level = this->Graph.Nodes[node].Level;
-        this->ForEntering(node, [&](std::uint32_t arc) { this->WantAround(arc, -1.0 + 0.5 * level / (1.0 + level)); });
-        this->ForLeaving(node,
-          [this](std::uint32_t arc)
-          {
-            if (this->Cut.Contains(arc) && this->Views.Look(arc).Outside && this->Views.IsNearby(arc))
-            {
-              this->Want(arc, -1.0, true);
-            }
-          });
-      }
-      else if (this->Cut.CanRefine(node))
-      {
-        const double error = this->Views.GetWanted(node);
-        if (error > 0.0)
+      this->ForLeaving(node,
+        [this](std::uint32_t arc)
         {
-          this->ForLeaving(node, [&](std::uint32_t arc) { this->WantAround(arc, -2.0 - 1.0 / (1.0 + error)); });
-        }
-      }
+          const std::uint32_t to = this->Graph.Arcs[arc].To;
+          if (this->Cut.IsRefined(to))
+          {
+            const double level = this->Graph.Nodes[to].Level;
+            this->WantAround(arc, -1.0 + 0.5 * level / (1.0 + level));
+            return;
+          }
+          if (this->Views.Look(arc).Outside && this->Views.IsNearby(arc))
+          {
+            this->Want(arc, -1.0, true);
+          }
+          // Of the arcs that enter a node the first one asks for what refining it would bring.
+          if (arc == this->Graph.Entering[this->Graph.Nodes[to].FirstIn])
+          {
+            this->WantFiner(to);
+          }
+        });
+    }
+  }
+
+  void WantFiner(std::uint32_t node)
+  {
+    const double error = this->Views.GetWanted(node);
+    if (error > NextSteps * this->Views.GetThreshold() && this->Cut.CanRefine(node))
+    {
+      this->ForLeaving(node, [&](std::uint32_t arc) { this->WantAround(arc, -2.0 - 1.0 / (1.0 + error)); });
     }
   }
 
@@ -728,6 +733,7 @@ vtkMTCutFollower::~vtkMTCutFollower() = default;
 void vtkMTCutFollower::Reset()
 {
   this->Cut.reset();
+  this->RefinedNodes.clear();
   this->Graph = nullptr;
 }
 
@@ -741,6 +747,7 @@ vtkMTCutFollower::Result vtkMTCutFollower::Update(const Input& input, const Sett
   {
     this->Graph = input.Graph;
     this->Cut = std::make_unique<vtkMTCut>(*input.Graph);
+    this->RefinedNodes.assign(1, input.Graph->GetSource());
   }
   this->States.resize(input.Graph->Arcs.size(), Unknown);
   return Worker(*this, input, settings).Run();

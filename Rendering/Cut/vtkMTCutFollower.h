@@ -114,6 +114,7 @@ private:
   class Worker;
   vtkMTExtraction Extraction;
   std::unique_ptr<vtkMTCut> Cut;
+  std::vector<std::uint32_t> RefinedNodes; // of Cut, ascending
   const vtkMTGraph* Graph = nullptr;
   std::vector<unsigned char> States; // of the frame's arcs; Unknown between calls
   std::vector<std::uint32_t> Asked;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTExtraction.h"
 
-#include "vtkMTArcBounds.h"
+#include "vtkMTArcProjector.h"
 #include "vtkMTArcViews.h"
 #include "vtkMTFrameTimer.h"
-#include "vtkMTFrustum.h"
 #include "vtkMTGraph.h"
 #include "vtkMTView.h"
 
@@ -15,6 +14,9 @@
 namespace
 {
 constexpr double NotWanted = vtkMTArcViews::NotWanted;
+
+// All levels above a cut have about as many triangles as the cut; what has several times more will not fit.
+constexpr std::uint64_t HopelessOvershoot = 4;
 }
 
 // Kept between calls so that a frame costs as much as its cut, not as much as its graph.
@@ -55,10 +57,14 @@ public:
   {
     if (!this->Graph.IsEmpty())
     {
-      this->RefinedNodes.push_back(this->Graph.GetSource());
-      this->EnterLeaving(this->Graph.GetSource());
-      this->Refine();
-      this->Finish();
+      if (!this->TakeAllWanted())
+      {
+        this->Out = Result(this->Graph);
+        this->Out.RefinedNodes.push_back(this->Graph.GetSource());
+        this->EnterLeaving(this->Graph.GetSource());
+        this->Refine();
+        this->Finish();
+      }
     }
     return std::move(this->Out);
   }
@@ -70,7 +76,7 @@ public:
     {
       if (cut.IsRefined(node))
       {
-        this->RefinedNodes.push_back(node);
+        this->Out.RefinedNodes.push_back(node);
       }
     }
     if (!this->Graph.IsEmpty())
@@ -94,6 +100,76 @@ private:
   bool IsDrawn(std::uint32_t arc) { return this->Memory.Views.Look(arc).IsDrawn(); }
 
   bool IsResident(std::uint32_t arc) const { return !this->Resident || (*this->Resident)[arc] != 0; }
+
+  /// The result, where all that is wanted is within the budgets. False where that is not so, or would take half of the
+  /// time.
+  bool TakeAllWanted()
+  {
+    if (this->Resident)
+    {
+      return false;
+    }
+    const bool found = this->MarkAllWanted();
+    std::vector<std::uint32_t>& nodes = this->Out.RefinedNodes;
+    for (const std::uint32_t node : nodes)
+    {
+      this->Memory.Marks[node] = 0;
+    }
+    if (!found)
+    {
+      return false;
+    }
+    std::sort(nodes.begin(), nodes.end()); // an order in which they can be refined
+    for (const std::uint32_t node : nodes)
+    {
+      this->Out.Cut.Refine(node);
+    }
+    this->Memory.Views.Report(this->Out);
+    return this->Out.WithinBudget;
+  }
+
+  bool MarkAllWanted()
+  {
+    constexpr std::size_t looksAtTheClock = 8; // nodes from one to the next
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0;
+    std::vector<std::uint32_t>& nodes = this->Out.RefinedNodes;
+    this->Mark(this->Graph.GetSource());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      if ((i % looksAtTheClock == 0 && this->Timer.IsOver(0.5)) ||
+        !this->Memory.Views.Fits(triangles / HopelessOvershoot, bytes / HopelessOvershoot))
+      {
+        return false;
+      }
+      const vtkMTNode& record = this->Graph.Nodes[nodes[i]];
+      for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+      {
+        this->Mark(this->Graph.Arcs[this->Graph.Entering[k]].From);
+      }
+      for (std::uint32_t index = record.FirstOut; index < record.FirstOut + record.OutCount; ++index)
+      {
+        const vtkMTArc& arc = this->Graph.Arcs[index];
+        const vtkMTArcViews::ArcView& view = this->Memory.Views.Look(index);
+        triangles += view.IsDrawn() ? arc.Triangles : 0;
+        bytes += view.IsDrawn() ? this->Memory.Views.GetBytes(arc) : 0;
+        if (view.Wanted > this->Memory.Views.GetThreshold() && arc.To != this->Graph.GetSink())
+        {
+          this->Mark(arc.To);
+        }
+      }
+    }
+    return true;
+  }
+
+  void Mark(std::uint32_t node)
+  {
+    if (!this->Memory.Marks[node])
+    {
+      this->Memory.Marks[node] = 1;
+      this->Out.RefinedNodes.push_back(node);
+    }
+  }
 
   void EnterLeaving(std::uint32_t node)
   {
@@ -231,7 +307,7 @@ private:
       }
     }
     this->Out.Cut.Refine(node);
-    this->RefinedNodes.push_back(node);
+    this->Out.RefinedNodes.push_back(node);
     this->EnterLeaving(node);
   }
 
@@ -259,12 +335,12 @@ private:
         }
       }
       // Somebody else may have refined what a postponed one was waiting for.
-      if (this->RefinedNodes.size() == refinedAtLastRetry || this->Postponed.empty())
+      if (this->Out.RefinedNodes.size() == refinedAtLastRetry || this->Postponed.empty())
       {
         this->ForgetRefined();
         return;
       }
-      refinedAtLastRetry = this->RefinedNodes.size();
+      refinedAtLastRetry = this->Out.RefinedNodes.size();
       for (const Candidate& candidate : this->Postponed)
       {
         this->Heap.push(candidate);
@@ -282,7 +358,8 @@ private:
 
   void Finish()
   {
-    this->Memory.Views.Report(this->Out.Cut, this->RefinedNodes, this->Out);
+    std::sort(this->Out.RefinedNodes.begin(), this->Out.RefinedNodes.end());
+    this->Memory.Views.Report(this->Out);
     this->Out.Postponed = this->Postponed.size();
     this->SortRequests();
   }
@@ -308,7 +385,6 @@ private:
   Result Out;
   std::priority_queue<Candidate> Heap;
   std::vector<Candidate> Postponed; // the largest error first
-  std::vector<std::uint32_t> RefinedNodes;
   std::vector<std::uint32_t> Closure;
   std::vector<Request> Missing;
 };
@@ -392,12 +468,13 @@ bool vtkMTExtraction::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkM
 double vtkMTExtraction::GetPixelError(
   const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice)
 {
-  const vtkMTArcBounds bounds(graph, graph.Arcs[arc]);
+  const vtkMTArcProjector projector(graph.Lattice, view);
   const vtkMTNode& node = graph.Nodes[graph.Arcs[arc].To];
-  return view.GetPixelError(bounds.Center, bounds.Radius, choice == EdgeLength ? node.EdgeLength : node.Error);
+  const vtkMTArcProjector::Depth depth = projector.GetDepth(vtkMTArcProjector::Box(graph.Arcs[arc].Box));
+  return projector.GetPixelError(depth, choice == EdgeLength ? node.EdgeLength : node.Error);
 }
 
 bool vtkMTExtraction::IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc)
 {
-  return vtkMTFrustum(view).IsVisible(vtkMTArcBounds(graph, graph.Arcs[arc]));
+  return vtkMTArcProjector(graph.Lattice, view).IsVisible(vtkMTArcProjector::Box(graph.Arcs[arc].Box));
 }

@@ -16,6 +16,9 @@
  * whose box lies outside is not drawn and does not count against the budget. Without a view the error is the node's
  * own, in model units, and every arc counts.
  *
+ * Where everything that is wanted fits the budgets and can be drawn, the order does not matter, and the heap is not
+ * needed: wanted nodes are taken, with what they depend on, as they are met.
+ *
  * Patches that face away, where they are left out (FacingCulling), are refined like those that do not: what they stand
  * for may face the eye where they do not.
  *
@@ -101,9 +104,10 @@ public:
     }
 
     vtkMTCut Cut;
-    std::vector<std::uint32_t> Arcs; ///< to draw, ascending
-    std::uint64_t Triangles = 0;     ///< of Arcs
-    std::uint64_t Bytes = 0;         ///< of Arcs on the GPU
+    std::vector<std::uint32_t> RefinedNodes; ///< of Cut, ascending; the source is the first one
+    std::vector<std::uint32_t> Arcs;         ///< to draw, ascending
+    std::uint64_t Triangles = 0;             ///< of Arcs
+    std::uint64_t Bytes = 0;                 ///< of Arcs on the GPU
     /// With a view: upper bound, in pixels, of how far anything in the picture is from where the input would put it; it
     /// is the certified distance whatever ErrorChoice says, and infinite where the camera is inside a patch's error.
     double PixelError = 0.0;
@@ -118,7 +122,7 @@ public:
     std::size_t ArcsFacingAway = 0; ///< of the others, left out for that
     std::uint64_t TrianglesCulled = 0;
     std::uint64_t TrianglesFacingAway = 0;
-    std::size_t Operations = 0;    ///< refinements tried
+    std::size_t Operations = 0;    ///< refinements tried, where their order matters
     std::size_t Postponed = 0;     ///< refinements wanted that did not fit or were not resident
     std::vector<Request> Requests; ///< the largest error first
   };

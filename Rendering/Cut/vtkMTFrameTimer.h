@@ -18,7 +18,11 @@ public:
   {
   }
 
-  bool IsOver() const { return this->Budget > 0.0 && this->Now() - this->Start >= this->Budget; }
+  /// Or a share of it.
+  bool IsOver(double share = 1.0) const
+  {
+    return this->Budget > 0.0 && this->Now() - this->Start >= share * this->Budget;
+  }
 
 private:
   double Now() const

@@ -174,10 +174,13 @@ void vtkMTPatchCache::Order()
   bool sorted = false;
   std::size_t next = 0;
   std::size_t room = 0;
+  std::size_t scratch = 0; // one patch's at a time is enough to get on
   const std::size_t limit = this->Memory->GetLimit();
   for (const Want& want : missing)
   {
-    room += this->GetRoomFor(want.Arc, order->Arrays);
+    const std::size_t decoding = std::max(scratch, static_cast<std::size_t>(this->Source->GetDecodeSize(want.Arc)));
+    room += this->GetRoomFor(want.Arc, order->Arrays) + decoding - scratch;
+    scratch = decoding;
     if (!sorted && this->Memory->GetUsed() + room > limit)
     {
       sorted = true;

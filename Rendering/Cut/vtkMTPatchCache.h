@@ -10,8 +10,9 @@
  *
  * The limit is hard: what is kept, what is being loaded, and patches that have been dropped but that somebody still
  * holds are together never more, counted as vtkMTPatch::GetMemorySize does, with the stored bytes of what is being
- * loaded. To make room, the patch that is wanted least goes, among those that nobody wants the one that has not been
- * wanted longest; but never for one that is wanted less or as much, so two patches do not push each other out in turn.
+ * loaded and what decoding it takes. To make room, the patch that is wanted least goes, among those that nobody wants
+ * the one that has not been wanted longest; but never for one that is wanted less or as much, so two patches do not
+ * push each other out in turn.
  *
  * A patch that cannot be loaded, or that does not fit the limit by itself, is a failure: TakeFailures names it once,
  * and it is not tried again before Retry.

@@ -25,7 +25,8 @@ struct Batch
 {
   std::vector<std::uint32_t> Arcs; // in the order of the store
   std::vector<std::size_t> Bytes;  // what each one takes at most
-  std::uint64_t Stored = 0;        // bytes of all of them in the store
+  std::uint64_t Stored = 0;        // bytes of all of them in the store, and of gaps between them
+  std::uint64_t Scratch = 0;       // bytes that decoding the largest of them takes
   std::shared_ptr<const vtkMTPatchLoader::Order> Order;
 };
 
@@ -110,16 +111,18 @@ struct vtkMTPatchLoader::Internals
     }
   }
 
-  // Adds a request to the batch, with room for it; false where it cannot be had.
-  bool Add(std::size_t index, Batch& batch)
+  // Adds a request to the batch, with room for it and for what is read before it; false where it cannot be had.
+  bool Add(std::size_t index, std::uint64_t gap, Batch& batch)
   {
     const std::uint32_t arc = this->Plan->Arcs[index];
     const std::size_t bytes = vtkMTPatchLoader::GetPatchBytes(this->Source->GetGraph(), arc, this->Plan->Arrays);
-    const std::uint64_t stored = this->Source->GetPatchSize(arc);
-    if (!this->Memory->Reserve(bytes + static_cast<std::size_t>(stored)))
+    const std::uint64_t stored = gap + this->Source->GetPatchSize(arc);
+    const std::uint64_t scratch = std::max(this->Source->GetDecodeSize(arc), batch.Scratch);
+    if (!this->Memory->Reserve(bytes + static_cast<std::size_t>(stored + scratch - batch.Scratch)))
     {
       return false;
     }
+    batch.Scratch = scratch;
     batch.Arcs.push_back(arc);
     batch.Bytes.push_back(bytes);
     batch.Stored += stored;
@@ -135,7 +138,7 @@ struct vtkMTPatchLoader::Internals
     const std::size_t limit = this->Memory->GetLimit();
     const std::size_t bytes =
       vtkMTPatchLoader::GetPatchBytes(this->Source->GetGraph(), delivery.Arc, this->Plan->Arrays) +
-      static_cast<std::size_t>(this->Source->GetPatchSize(delivery.Arc));
+      static_cast<std::size_t>(this->Source->GetPatchSize(delivery.Arc) + this->Source->GetDecodeSize(delivery.Arc));
     if (bytes <= limit)
     {
       return false;
@@ -168,8 +171,9 @@ struct vtkMTPatchLoader::Internals
       const std::uint32_t high = behind ? arc : last;
       const std::uint64_t end = this->Source->GetPatchPlace(low) + this->Source->GetPatchSize(low);
       const std::uint64_t begin = this->Source->GetPatchPlace(high);
-      if ((begin > end && begin - end > this->Options.LargestGap) ||
-        batch.Stored + this->Source->GetPatchSize(arc) > this->Options.LargestRead || !this->Add(neighbour, batch))
+      const std::uint64_t gap = begin > end ? begin - end : 0;
+      if (gap > this->Options.LargestGap ||
+        batch.Stored + this->Source->GetPatchSize(arc) > this->Options.LargestRead || !this->Add(neighbour, gap, batch))
       {
         return;
       }
@@ -201,7 +205,7 @@ struct vtkMTPatchLoader::Internals
     {
       ++this->Next;
     }
-    if (!this->Plan || this->Next == this->Done.size() || !this->Add(this->Next, batch))
+    if (!this->Plan || this->Next == this->Done.size() || !this->Add(this->Next, 0, batch))
     {
       return false;
     }
@@ -293,7 +297,7 @@ struct vtkMTPatchLoader::Internals
       this->Deliver(batch, delivered, false, none,
         this->Source->GetName() + ": patch " + std::to_string(batch.Arcs[delivered]) + ": " + error);
     }
-    this->Memory->Release(static_cast<std::size_t>(batch.Stored));
+    this->Memory->Release(static_cast<std::size_t>(batch.Stored + batch.Scratch));
     ++this->Batches;
     this->StoredBytes += batch.Stored;
   }

@@ -10,9 +10,9 @@
  * away what is done. All that is started is delivered, be it with an error, and nothing is delivered that was not
  * posted.
  *
- * Memory: before a patch is read, room for it and for its stored bytes is reserved; while there is none, loading waits.
- * A delivered patch keeps its room until the last pointer to it is gone. (Beside that, each thread has what the codec
- * needs to decode one patch.)
+ * Memory: before a patch is read, room is reserved for it, for its stored bytes and for what the codec needs to decode
+ * it (vtkMTPatchSource::GetDecodeSize); while there is none, loading waits. A delivered patch keeps its room until the
+ * last pointer to it is gone; the rest is given back when all that is read together has been delivered.
  *
  * Threads: Post, Take, Wait, Start and Stop are the owner's, one thread. Post and Take hold a lock for a few pointer
  * assignments, and no thread ever holds that lock while it reads or decodes; GetLongestLock says how long they took at
@@ -97,7 +97,7 @@ public:
   double GetLongestLock() const;
   ///@}
 
-  /// Bytes that an arc's patch takes at most, as vtkMTPatch::GetMemorySize counts them.
+  /// Bytes that an arc's patch takes at most once it is there, as vtkMTPatch::GetMemorySize counts them.
   static std::size_t GetPatchBytes(
     const vtkMTGraph& graph, std::uint32_t arc, const std::vector<unsigned char>& arrays);
 

@@ -118,6 +118,7 @@ void vtkMTCutKeeper::Compute(Kept& kept, const Frame& frame, bool keepCut, const
   {
     kept.Result = std::make_shared<vtkMTCutFollower::Result>(kept.Follower->Update(input, frame.Settings));
   }
+  ++this->Searches;
   kept.Posted = false;
   kept.View = frame.View;
   kept.Settings = frame.Settings;

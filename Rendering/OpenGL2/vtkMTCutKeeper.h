@@ -57,6 +57,8 @@ public:
 
   /// What Update gave last, or null.
   const vtkMTCutFollower::Result* GetLast() const { return this->Last.get(); }
+  /// How often a cut was looked for: while it stays the same, what Update gives is the same object with the same cut.
+  std::uint64_t GetNumberOfSearches() const { return this->Searches; }
   /// Seconds that the last new cut took.
   double GetCutTime() const { return this->CutTime; }
 
@@ -82,6 +84,7 @@ private:
   std::vector<unsigned char> Resident;
   std::uint64_t ReadableRevision = 0;
   std::shared_ptr<vtkMTCutFollower::Result> Last;
+  std::uint64_t Searches = 0;
   double CutTime = 0.0;
 };
 

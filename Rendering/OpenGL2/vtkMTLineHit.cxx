@@ -78,10 +78,24 @@ bool Meet(
   return weights[0] >= -Rounding && weights[1] >= -Rounding && weights[0] + weights[1] <= 1.0 + Rounding && t >= 0.0 &&
     t <= 1.0;
 }
+
+// With the ids of input cells and no other array.
+std::shared_ptr<const vtkMTPatch> Read(const vtkMTPatchSource& source, std::uint32_t arc, std::string& error)
+{
+  const vtkMTGraph& graph = source.GetGraph();
+  std::vector<unsigned char> arrays(graph.Arrays.size(), 0);
+  const int ids = vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
+  if (ids >= 0)
+  {
+    arrays[ids] = 1;
+  }
+  auto patch = std::make_shared<vtkMTPatch>();
+  return source.ReadPatch(arc, &arrays, *patch, error) ? patch : nullptr;
+}
 }
 
 bool vtkMTLineHit::Find(const vtkMTPatchSource& source, const std::vector<std::uint32_t>& arcs, const Place& begin,
-  const Place& end, std::string& error)
+  const Place& end, const Resident& resident, std::string& error)
 {
   const vtkMTGraph& graph = source.GetGraph();
   const Place way = Subtract(end, begin);
@@ -97,45 +111,70 @@ bool vtkMTLineHit::Find(const vtkMTPatchSource& source, const std::vector<std::u
     }
   }
   std::sort(entries.begin(), entries.end());
-
-  const int ids = vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
-  std::vector<unsigned char> arrays(graph.Arrays.size(), 0);
-  if (ids >= 0)
-  {
-    arrays[ids] = 1;
-  }
-  bool found = false;
   for (const auto& entry : entries)
   {
-    if (found && entry.first > this->T)
+    if (this->Found && entry.first > this->T)
     {
       break;
     }
-    vtkMTPatch patch;
-    if (!source.ReadPatch(entry.second, &arrays, patch, error))
+    std::shared_ptr<const vtkMTPatch> patch = resident(entry.second);
+    if (!patch)
     {
-      continue;
+      patch = Read(source, entry.second, error);
     }
-    for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
+    if (patch)
     {
-      const vtkMTTriangle points = patch.GetPointsOfTriangle(i);
-      std::array<Place, 3> triangle;
-      std::transform(points.begin(), points.end(), triangle.begin(),
-        [&](std::uint32_t point) { return graph.Lattice.ToWorld(patch.Points[point]); });
-      double t;
-      std::array<double, 2> weights;
-      if (Meet(triangle, begin, way, t, weights) && (!found || t < this->T))
-      {
-        found = true;
-        this->T = t;
-        this->Weights = weights;
-        this->Triangle = triangle;
-        this->InputCell = ids >= 0
-          ? static_cast<vtkIdType>(
-              vtkMTPatchAttributes::GetArray(graph, ids, patch)->GetComponent(static_cast<vtkIdType>(i), 0))
-          : 0;
-      }
+      this->FindInPatch(source, entry.second, patch, begin, way);
     }
   }
-  return found;
+  if (this->Found)
+  {
+    this->FindInputCell(source, error);
+  }
+  return this->Found;
+}
+
+void vtkMTLineHit::FindInPatch(const vtkMTPatchSource& source, std::uint32_t arc,
+  const std::shared_ptr<const vtkMTPatch>& patch, const Place& begin, const Place& way)
+{
+  const vtkMTLattice& lattice = source.GetGraph().Lattice;
+  for (std::size_t i = 0; i < patch->Triangles.size(); ++i)
+  {
+    const vtkMTTriangle points = patch->GetPointsOfTriangle(i);
+    std::array<Place, 3> triangle;
+    std::transform(points.begin(), points.end(), triangle.begin(),
+      [&](std::uint32_t point) { return lattice.ToWorld(patch->Points[point]); });
+    double t;
+    std::array<double, 2> weights;
+    if (Meet(triangle, begin, way, t, weights) && (!this->Found || t < this->T))
+    {
+      this->Found = true;
+      this->T = t;
+      this->Weights = weights;
+      this->Triangle = triangle;
+      this->Patch = patch;
+      this->Arc = arc;
+      this->Index = i;
+    }
+  }
+}
+
+// What is drawn need not have the ids: then they are read, for this one patch.
+void vtkMTLineHit::FindInputCell(const vtkMTPatchSource& source, std::string& error)
+{
+  const vtkMTGraph& graph = source.GetGraph();
+  const int ids = vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
+  if (ids < 0)
+  {
+    return;
+  }
+  if (vtkMTPatchAttributes::GetColumn(graph, ids, *this->Patch).empty())
+  {
+    this->Patch = Read(source, this->Arc, error);
+  }
+  if (this->Patch)
+  {
+    const auto values = vtkMTPatchAttributes::GetArray(graph, ids, *this->Patch);
+    this->InputCell = static_cast<vtkIdType>(values->GetComponent(static_cast<vtkIdType>(this->Index), 0));
+  }
 }

@@ -9,11 +9,15 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkMTPatchSource;
+struct vtkMTPatch;
 
 struct vtkMTLineHit
 {
@@ -24,9 +28,24 @@ struct vtkMTLineHit
   std::array<Place, 3> Triangle{}; ///< model units
   vtkIdType InputCell = 0;         ///< 0 where the model keeps no ids
 
-  /// False when the line meets none of the arcs' patches. Patches that cannot be read are passed by; error says which.
+  /// A patch that is at hand, with whatever arrays, or null.
+  using Resident = std::function<std::shared_ptr<const vtkMTPatch>(std::uint32_t arc)>;
+
+  /// False when the line meets none of the arcs' patches. Patches that are not at hand are read, if the line meets
+  /// their boxes; those that cannot be read are passed by, and error says which.
   bool Find(const vtkMTPatchSource& source, const std::vector<std::uint32_t>& arcs, const Place& begin,
-    const Place& end, std::string& error);
+    const Place& end, const Resident& resident, std::string& error);
+
+private:
+  // Where the nearest hit so far is.
+  bool Found = false;
+  std::shared_ptr<const vtkMTPatch> Patch;
+  std::uint32_t Arc = 0;
+  std::size_t Index = 0;
+
+  void FindInPatch(const vtkMTPatchSource& source, std::uint32_t arc, const std::shared_ptr<const vtkMTPatch>& patch,
+    const Place& begin, const Place& way);
+  void FindInputCell(const vtkMTPatchSource& source, std::string& error);
 };
 
 #endif

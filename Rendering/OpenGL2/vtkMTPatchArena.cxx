@@ -45,6 +45,7 @@ int vtkMTPatchArena::Declare(const std::string& attribute, const Format& format,
     stream.Layout = format;
     stream.Revision = 0;
   }
+  this->Changes += stream.Revision != revision ? 1 : 0;
   stream.Revision = revision;
   return static_cast<int>(found - this->Streams.begin());
 }
@@ -57,6 +58,7 @@ void vtkMTPatchArena::Remove(const std::string& attribute)
     if (stream.Attribute == attribute && stream.Active)
     {
       stream.Active = false;
+      ++this->Changes;
       this->Release(stream);
       for (auto& slot : this->Slots)
       {
@@ -118,6 +120,7 @@ bool vtkMTPatchArena::BeginFrame(std::uint64_t vertices, std::uint64_t triangles
   const std::array<std::uint64_t, 2> capacities = this->GetCapacities(vertices, triangles);
   if (capacities[0] != this->VertexSpace.GetCapacity() || capacities[1] != this->TriangleSpace.GetCapacity())
   {
+    ++this->Changes;
     this->LayOut(capacities);
   }
   for (std::unique_ptr<Stream>& stream : this->Streams)
@@ -144,6 +147,7 @@ vtkMTPatchArena::Slot* vtkMTPatchArena::Use(std::uint32_t arc, std::uint32_t ver
     }
     slot.Position = this->Order.insert(this->Order.end(), arc);
     found = this->Slots.emplace(arc, std::move(slot)).first;
+    ++this->Changes;
   }
   Slot& slot = found->second;
   this->Order.splice(this->Order.end(), this->Order, slot.Position);
@@ -389,6 +393,7 @@ void vtkMTPatchArena::Drop(std::uint32_t arc)
   {
     return;
   }
+  ++this->Changes;
   this->VertexSpace.Free(found->second.FirstVertex, found->second.Vertices);
   this->TriangleSpace.Free(found->second.FirstTriangle, found->second.Triangles);
   this->Order.erase(found->second.Position);
@@ -397,6 +402,7 @@ void vtkMTPatchArena::Drop(std::uint32_t arc)
 
 void vtkMTPatchArena::Clear()
 {
+  ++this->Changes;
   this->Slots.clear();
   this->Order.clear();
   this->VertexSpace.Reset(this->VertexSpace.GetCapacity());
@@ -405,6 +411,7 @@ void vtkMTPatchArena::Clear()
 
 void vtkMTPatchArena::ReleaseGraphicsResources()
 {
+  ++this->Changes;
   for (std::unique_ptr<Stream>& stream : this->Streams)
   {
     this->Release(*stream);

@@ -121,6 +121,8 @@ public:
   /// Of the data of so many vertices and triangles, in all streams that are declared.
   std::uint64_t GetBytesOf(std::uint64_t vertices, std::uint64_t triangles) const;
   std::size_t GetNumberOfPatches() const { return this->Slots.size(); }
+  /// Another number than before when a patch has come, gone or been moved, or when its data may be stale.
+  std::uint64_t GetChanges() const { return this->Changes; }
   std::uint64_t GetNumberOfUploadedBytes() const { return this->UploadedBytes; }
 
 private:
@@ -163,6 +165,7 @@ private:
   std::uint64_t Bytes = 0;
   std::uint64_t MostBytes = 0;
   std::uint64_t UploadedBytes = 0;
+  std::uint64_t Changes = 0;
   unsigned int VertexArray = 0;
 };
 

@@ -16,8 +16,12 @@
  * GetCellId there. Where the model keeps no ids (no array of role InputCellIds), every cell id is 0.
  *
  * The line is tested against the boxes of the drawn patches, and then, from the nearest box on, against their
- * triangles, in double precision; the patches are read for that from the source. Neighbours share their points bit for
- * bit, so there is no crack to fall through, and the picker's tolerance is not needed and not looked at.
+ * triangles, in double precision. Patches that are in main memory are used as they are. Only where a drawn patch is on
+ * the GPU alone, and the line meets its box before it meets anything else, is it read, by the calling thread and
+ * without waiting for the loader; likewise the ids of the one patch that is hit, where the mapper does not keep ids
+ * with it. So a pick takes no longer than reading the few patches of the current cut that lie under the cursor, nothing
+ * finer is asked for, and no frame is made to wait. Neighbours share their points bit for bit, so there is no crack to
+ * fall through, and the picker's tolerance is not needed and not looked at.
  *
  * @sa vtkMultiTriangulationMapper vtkCellPicker
  */

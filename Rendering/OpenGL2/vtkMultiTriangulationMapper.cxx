@@ -79,6 +79,7 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Converged: " << this->Converged << "\n";
   os << indent << "CutTime: " << this->CutTime << "\n";
   os << indent << "FrameTime: " << this->FrameTime << "\n";
+  os << indent << "OverheadTime: " << this->OverheadTime << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +136,27 @@ bool vtkMultiTriangulationMapper::HasPatches()
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::ComputeBounds()
 {
-  if (vtkMultiTriangulation* model = GetModel(this->GetInput()))
+  if (this->HasPatches())
   {
-    model->GetSource()->GetGraph().GetBounds(this->Bounds);
+    const std::array<double, 6>& bounds = this->GetModelBounds();
+    std::copy(bounds.begin(), bounds.end(), this->Bounds);
     return;
   }
   this->Superclass::ComputeBounds();
+}
+
+//------------------------------------------------------------------------------
+// Asked several times a frame, and to be found from all arcs.
+const std::array<double, 6>& vtkMultiTriangulationMapper::GetModelBounds()
+{
+  Internals& self = *this->Implementation;
+  const std::shared_ptr<const vtkMTPatchSource> source = GetModel(this->GetInput())->GetSource();
+  if (self.BoundsSource.lock() != source)
+  {
+    self.BoundsSource = source;
+    source->GetGraph().GetBounds(self.Bounds.data());
+  }
+  return self.Bounds;
 }
 
 //------------------------------------------------------------------------------
@@ -378,8 +394,7 @@ void vtkMultiTriangulationMapper::UpdateOrigin(vtkRenderer* renderer, vtkActor* 
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(actor->GetMatrix(), inverse);
   inverse->MultiplyPoint(place, place);
-  double bounds[6];
-  graph.GetBounds(bounds);
+  const std::array<double, 6>& bounds = this->GetModelBounds();
   for (int i = 0; i < 3; ++i)
   {
     const bool finite = std::isfinite(place[i]);
@@ -393,6 +408,10 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
 {
   Internals& self = *this->Implementation;
   const vtkMTGraph& graph = self.Graph();
+  if (this->IsAllThere())
+  {
+    return true;
+  }
   this->BeginUpload();
   bool complete = true;
   for (std::size_t i = 0; i < self.Cut->Arcs.size(); ++i)
@@ -429,6 +448,7 @@ bool vtkMultiTriangulationMapper::UpdatePatches()
     this->DrawLess();
     return false;
   }
+  this->RememberUpload();
   return complete;
 }
 

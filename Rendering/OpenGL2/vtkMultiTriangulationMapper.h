@@ -192,9 +192,9 @@ public:
 
   ///@{
   /**
-   * Bytes of patches in main memory, those that are being loaded included: never more. Default 512 MiB; negative values
-   * are clamped to 0. A patch that does not fit the limit while it is read is not drawn, its coarser one is, and an
-   * error is reported.
+   * Bytes of patches in main memory, those that are being loaded and what decoding them takes included: never more.
+   * Default 512 MiB; negative values are clamped to 0. A patch that does not fit the limit while it is read is not
+   * drawn, its coarser one is, and an error is reported.
    */
   vtkSetClampMacro(PatchMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(PatchMemoryLimit, vtkIdType);
@@ -246,6 +246,8 @@ public:
   vtkGetMacro(Loading, bool);
   vtkGetMacro(CutTime, double);
   vtkGetMacro(FrameTime, double);
+  /// The part of it that was not spent in draw calls: cut, uploads, shaders, bookkeeping.
+  vtkGetMacro(OverheadTime, double);
   ///@}
 
   ///@{
@@ -272,6 +274,10 @@ public:
 
   /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
   std::vector<std::uint32_t> GetDrawnArcs() const;
+
+  /// An arc's patch, if it is in main memory, or null. It has the arrays that were needed to draw it, at least. Waits
+  /// for nothing.
+  std::shared_ptr<const vtkMTPatch> GetPatchInMemory(std::uint32_t arc) const;
 
   void ShallowCopy(vtkAbstractMapper* mapper) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -330,6 +336,9 @@ private:
   void UploadEarlyPatches();
   void BeginUpload();
   bool IsUploaded();
+  bool IsAllThere();
+  void RememberUpload();
+  const std::array<double, 6>& GetModelBounds();
   void DrawLess();
   void ReportFailures();
   void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
@@ -378,6 +387,7 @@ private:
   vtkIdType NumberOfCuts = 0;
   double CutTime = 0.0;
   double FrameTime = 0.0;
+  double OverheadTime = 0.0;
 
   std::unique_ptr<Internals> Implementation;
 };

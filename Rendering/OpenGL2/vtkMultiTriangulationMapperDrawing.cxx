@@ -65,6 +65,7 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
   // Where the CPU draws, its clock says more; where a GPU does, its own.
   self.Timer.ReusableStop();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  self.CallSeconds = seconds.count();
   this->TimeToDraw = std::max<double>(seconds.count(), self.Timer.GetReusableElapsedSeconds());
   self.DrawSeconds += this->TimeToDraw;
 }
@@ -224,6 +225,7 @@ void vtkMultiTriangulationMapper::RenderPieceFinish(vtkRenderer* renderer, vtkAc
   }
   this->FrameTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Implementation->FrameStart).count();
+  this->OverheadTime = this->FrameTime - this->Implementation->CallSeconds;
 }
 
 //------------------------------------------------------------------------------

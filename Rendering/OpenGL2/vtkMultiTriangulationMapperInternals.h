@@ -41,10 +41,28 @@ struct vtkMultiTriangulationMapper::Internals
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;
 
-  std::uint64_t Triangles = 0;     // of all patches of the source
-  vtkOpenGLRenderTimer Timer;      // of draw calls, on the GPU
-  double DrawSeconds = 0.0;        // of this frame's draw calls so far, all passes
-  double MeasuredRate = 0.0;       // triangles per second
+  std::uint64_t Triangles = 0;                         // of all patches of the source
+  std::array<double, 6> Bounds{ 0, -1, 0, -1, 0, -1 }; // of the model
+  std::weak_ptr<const vtkMTPatchSource> BoundsSource;  // which they were found for
+  vtkOpenGLRenderTimer Timer;                          // of draw calls, on the GPU
+  double CallSeconds = 0.0;                            // until this pass's draw calls had returned
+  double DrawSeconds = 0.0;                            // of this frame's draw calls so far, all passes
+  double MeasuredRate = 0.0;                           // triangles per second
+  // What was all on the GPU when it was last looked at; as long as that is the same, there is nothing to do.
+  struct Uploaded
+  {
+    const vtkMTCutFollower::Result* Cut = nullptr;
+    std::uint64_t Searches = 0;
+    std::uint64_t ArenaChanges = 0;
+    std::uint64_t GraphicsLimit = 0;
+    bool operator==(const Uploaded& other) const
+    {
+      return this->Cut == other.Cut && this->Searches == other.Searches && this->ArenaChanges == other.ArenaChanges &&
+        this->GraphicsLimit == other.GraphicsLimit;
+    }
+  };
+  Uploaded LastUpload;
+
   std::uint64_t LessTriangles = 0; // a limit for the next cut: the last one did not fit into the arena
 
   const vtkMTGraph& Graph() const { return this->Keeper.GetSource()->GetGraph(); }

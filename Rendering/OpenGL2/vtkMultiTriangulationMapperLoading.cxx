@@ -18,6 +18,12 @@ vtkIdType vtkMultiTriangulationMapper::GetMostPatchMemory()
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const vtkMTPatch> vtkMultiTriangulationMapper::GetPatchInMemory(std::uint32_t arc) const
+{
+  return this->Implementation->Cache ? this->Implementation->Cache->Get(arc) : nullptr;
+}
+
+//------------------------------------------------------------------------------
 double vtkMultiTriangulationMapper::GetLongestLock()
 {
   return this->Implementation->Cache ? this->Implementation->Cache->GetLoader().GetLongestLock() : 0.0;
@@ -184,6 +190,29 @@ bool vtkMultiTriangulationMapper::IsUploaded()
   Internals& self = *this->Implementation;
   return std::all_of(self.Cut->Arcs.begin(), self.Cut->Arcs.end(),
     [&](std::uint32_t arc) { return self.Frame.IsUploaded(arc) || self.Keeper.IsUnreadable(arc); });
+}
+
+//------------------------------------------------------------------------------
+// Whether nothing has changed since all of the cut was found to be on the GPU. Nothing has been dropped, so what the
+// frame draws is still what was used last.
+bool vtkMultiTriangulationMapper::IsAllThere()
+{
+  Internals& self = *this->Implementation;
+  const Internals::Uploaded now{ self.Cut, self.Keeper.GetNumberOfSearches(), self.Arena.GetChanges(),
+    this->GetGraphicsLimit() };
+  return now == self.LastUpload;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RememberUpload()
+{
+  Internals& self = *this->Implementation;
+  self.LastUpload = Internals::Uploaded();
+  if (self.Cut->OnTarget && this->IsUploaded())
+  {
+    self.LastUpload = { self.Cut, self.Keeper.GetNumberOfSearches(), self.Arena.GetChanges(),
+      this->GetGraphicsLimit() };
+  }
 }
 
 //------------------------------------------------------------------------------

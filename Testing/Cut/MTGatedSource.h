@@ -50,6 +50,7 @@ public:
     return this->Model->ReadPatch(arc, arrays, patch, error);
   }
   std::uint64_t GetPatchSize(std::uint32_t arc) const override { return this->Model->GetPatchSize(arc); }
+  std::uint64_t GetDecodeSize(std::uint32_t) const override { return this->DecodeSize; }
   // Far apart, so that nothing is read together, unless Near.
   std::uint64_t GetPatchPlace(std::uint32_t arc) const override { return this->Near ? arc : std::uint64_t(arc) << 32; }
   std::string GetName() const override { return "gate"; }
@@ -76,6 +77,7 @@ public:
   std::set<std::uint32_t> Broken;
   std::set<std::uint32_t> Throwing;
   bool Near = false;
+  std::uint64_t DecodeSize = 0;
 
 private:
   std::shared_ptr<const vtkMTPatchSource> Model;

@@ -282,7 +282,7 @@ TEST(CutFollower, SmallTimeBudgetStillGetsForward)
   settings.UploadBudget = 10 * 18 * GetMeanPatch(graph);
   double asked = 0.0;
   settings.Clock = [&asked] { return asked += 1.0; };
-  settings.TimeBudget = 30.0;
+  settings.TimeBudget = 10.0;
   int frames = 0;
   auto result = follower.Update(world.See(view), settings);
   EXPECT_FALSE(result.Complete);

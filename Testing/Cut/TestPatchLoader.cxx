@@ -60,6 +60,7 @@ struct LoaderInUse
 std::vector<std::uint32_t> ArcsOf(const std::vector<vtkMTPatchLoader::Delivery>& deliveries)
 {
   std::vector<std::uint32_t> arcs;
+  arcs.reserve(deliveries.size());
   for (const vtkMTPatchLoader::Delivery& delivery : deliveries)
   {
     arcs.push_back(delivery.Arc);
@@ -174,16 +175,34 @@ TEST(PatchLoader, OwnerIsNotKeptWaitingWhileThreadsDecode)
             << " posts, longest lock of the owner: " << use.Loader.GetLongestLock() * 1e6 << " microseconds\n";
 }
 
+TEST(PatchLoader, WhatDecodingTakesIsCountedWhileItLasts)
+{
+  const auto source = MTGatedSource::MakeTube();
+  source->DecodeSize = 12345;
+  source->SetOpen(false);
+  LoaderInUse use(source);
+  use.Loader.Post(MakeOrder({ 3 }));
+  source->AwaitReads(1);
+  const std::size_t patch = vtkMTPatchLoader::GetPatchBytes(source->GetGraph(), 3, {});
+  EXPECT_EQ(use.Memory->GetUsed(), patch + source->GetPatchSize(3) + 12345);
+  source->SetOpen(true);
+  const auto deliveries = use.Drain();
+  use.Loader.Stop();
+  ASSERT_EQ(deliveries.size(), 1u);
+  EXPECT_EQ(use.Memory->GetUsed(), deliveries[0].Bytes);
+}
+
 TEST(PatchLoader, MemoryIsNeverExceeded)
 {
   const auto source = MTGatedSource::MakeTube();
+  source->DecodeSize = 5000;
   std::size_t all = 0;
   std::size_t largest = 0;
   for (const std::uint32_t arc : AllArcs(*source))
   {
     const std::size_t bytes = vtkMTPatchLoader::GetPatchBytes(source->GetGraph(), arc, {});
     all += bytes;
-    largest = std::max(largest, bytes + static_cast<std::size_t>(source->GetPatchSize(arc)));
+    largest = std::max(largest, bytes + static_cast<std::size_t>(source->GetPatchSize(arc) + source->DecodeSize));
   }
   for (const std::size_t limit : { largest, 2 * largest, all / 2, 2 * all })
   {

@@ -12,6 +12,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMTPatchSource.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationLocator.h"
@@ -28,10 +29,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -241,5 +246,62 @@ TEST(Picking, LocatorSeesNothingBeforeTheFirstFrameAndHonoursClippingPlanes)
   mapper->AddClippingPlane(plane);
   scene.Render();
   EXPECT_EQ(PickCell(picker, scene, 150, 150), -1);
+}
+
+// Counts what is read with whom.
+class CountedSource : public vtkMTPatchSource
+{
+public:
+  explicit CountedSource(std::shared_ptr<const vtkMTPatchSource> model)
+    : Model(std::move(model))
+  {
+  }
+  const vtkMTGraph& GetGraph() const override { return this->Model->GetGraph(); }
+  bool ReadPatch(
+    std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override
+  {
+    ++this->Reads;
+    return this->Model->ReadPatch(arc, arrays, patch, error);
+  }
+  std::uint64_t GetPatchSize(std::uint32_t arc) const override { return this->Model->GetPatchSize(arc); }
+  std::string GetName() const override { return "counted"; }
+
+  mutable std::atomic<int> Reads{ 0 };
+
+private:
+  std::shared_ptr<const vtkMTPatchSource> Model;
+};
+
+TEST(Picking, LocatorReadsOnlyTheIdsOfThePatchThatIsHit)
+{
+  const auto source = std::make_shared<CountedSource>(MTGridModel().Make());
+  vtkNew<vtkMultiTriangulation> input;
+  input->SetSource(source);
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(input);
+  mapper->SetPixelError(0.0);
+  mapper->ScalarVisibilityOff();
+  MTScene scene(mapper);
+  LookFromTheSide(scene);
+  scene.Render();
+  vtkNew<vtkMultiTriangulationLocator> locator;
+  locator->SetMapper(mapper);
+  vtkNew<vtkCellPicker> picker;
+  picker->AddLocator(locator);
+  const vtkIdType loaded = mapper->GetNumberOfReads();
+  const int before = source->Reads;
+  EXPECT_GE(PickCell(picker, scene, 150, 150), 0);
+  std::cout << source->Reads - before << " patches read for a pick in " << mapper->GetPatches() << "\n";
+  EXPECT_LE(source->Reads - before, 1);
+  EXPECT_EQ(mapper->GetNumberOfReads(), loaded); // nothing is asked of the loader
+
+  // With no room in main memory, patches are on the GPU alone: what lies under the cursor is read.
+  const vtkIdType cell = PickCell(picker, scene, 150, 150);
+  mapper->SetPatchMemoryLimit(1);
+  scene.Render();
+  const int again = source->Reads;
+  EXPECT_EQ(PickCell(picker, scene, 150, 150), cell);
+  std::cout << source->Reads - again << " where none is in main memory\n";
+  EXPECT_LT(source->Reads - again, mapper->GetPatches());
 }
 }
