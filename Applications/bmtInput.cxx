@@ -222,6 +222,13 @@ std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
     return nullptr;
   }
   const std::string& path = input.Paths.front();
+  // Always, whatever the memory: the points come in another order than from the whole contour.
+  if (input.Iso && !input.GradientNormals && vtkMTVolumeReader::CanRead(path))
+  {
+    std::string error;
+    std::unique_ptr<vtkMTTriangleStream> isosurface = vtkMTVolumeReader::StreamIsosurface(path, *input.Iso, error);
+    return isosurface ? std::move(isosurface) : throw bmtError(error);
+  }
   vtkMTMeshStream::Settings settings;
   settings.Store = &store;
   settings.Memory = static_cast<std::size_t>(memory / 8);

@@ -131,6 +131,14 @@ void bmtWorkspace::Prepare(const vtkMTTriangleStream& input, vtkMultiTriangulati
     throw bmtError(this->Folder + " holds an unfinished build of " + this->Output +
       ": go on with it by --resume, or delete that folder to begin anew");
   }
+  // Nothing is planned by counts that a damaged file claims.
+  constexpr std::uint64_t most = 4294967294;
+  if (input.GetNumberOfPoints() > most || input.GetNumberOfTriangles() > most)
+  {
+    throw bmtError("the input has, or claims to have, " + std::to_string(input.GetNumberOfPoints()) + " points and " +
+      std::to_string(input.GetNumberOfTriangles()) + " triangles; " + std::to_string(most) +
+      " of either are supported");
+  }
   const std::uint64_t used = bmtGetResidentMemory() + Reserve;
   const vtkMTMemoryPlan plan = builder->MakeMemoryPlan(input);
   if (this->Limit < used + plan.GetLeast())

@@ -11,35 +11,6 @@ namespace
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
-vtkMTTriangle Turned(const vtkMTTriangle& t)
-{
-  const int least = t[0] <= t[1] && t[0] <= t[2] ? 0 : (t[1] <= t[2] ? 1 : 2);
-  return { t[least], t[(least + 1) % 3], t[(least + 2) % 3] };
-}
-
-// For each of the triangles in their new order which one it was; equal ones keep their order.
-std::vector<std::uint32_t> Match(const std::vector<vtkMTTriangle>& before, const std::vector<vtkMTTriangle>& after)
-{
-  const auto sorted = [](const std::vector<vtkMTTriangle>& triangles)
-  {
-    std::vector<std::pair<vtkMTTriangle, std::uint32_t>> keys(triangles.size());
-    for (std::uint32_t t = 0; t < keys.size(); ++t)
-    {
-      keys[t] = { Turned(triangles[t]), t };
-    }
-    std::sort(keys.begin(), keys.end());
-    return keys;
-  };
-  const auto old = sorted(before);
-  const auto fresh = sorted(after);
-  std::vector<std::uint32_t> result(after.size());
-  for (std::size_t i = 0; i < fresh.size(); ++i)
-  {
-    result[fresh[i].second] = old[i].second;
-  }
-  return result;
-}
-
 vtkMTColumn Permute(const vtkMTColumn& column, const std::vector<std::uint32_t>& from)
 {
   vtkMTColumn result(column.size());
@@ -58,6 +29,7 @@ public:
   explicit FirstUse(std::size_t count)
     : Number(count, None)
   {
+    this->Order.reserve(count);
   }
   void Meet(std::uint32_t i)
   {
@@ -153,21 +125,15 @@ void PermutePoints(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPat
   }
 }
 
-void PermuteTriangles(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPatch& ordered)
+void PermuteTriangles(
+  const vtkMTPatch& patch, const Numbering& numbering, const std::vector<std::uint32_t>& from, vtkMTPatch& ordered)
 {
   const std::vector<std::uint32_t>& place = numbering.WedgePlace;
-  const std::vector<std::uint32_t>& order = numbering.WedgeOrder;
-  std::vector<vtkMTTriangle> asBefore;
+  ordered.Triangles.reserve(numbering.Triangles.size());
   for (const vtkMTTriangle& t : numbering.Triangles)
   {
     ordered.Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
-    asBefore.push_back({ order[t[0]], order[t[1]], order[t[2]] });
   }
-  if (patch.CellColumns.empty())
-  {
-    return;
-  }
-  const std::vector<std::uint32_t> from = Match(patch.Triangles, asBefore);
   for (const vtkMTColumn& column : patch.CellColumns)
   {
     ordered.CellColumns.push_back(Permute(column, from));
@@ -222,6 +188,6 @@ vtkMTPatchOrder vtkMTPatchOrder::Make(const vtkMTPatch& patch)
   result.PointOfStream = numbering.PointPlace;
   result.WedgePoints = numbering.WedgePoints;
   PermutePoints(patch, numbering, result.Patch);
-  PermuteTriangles(patch, numbering, result.Patch);
+  PermuteTriangles(patch, numbering, coded.Order, result.Patch);
   return result;
 }

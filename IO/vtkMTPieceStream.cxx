@@ -207,6 +207,29 @@ bool vtkMTPieceStream::BeginCells()
   return this->HasArraysOf(vtkMTArrayInfo::Cell) || this->Fail("its arrays change within the file");
 }
 
+// Whether the cells of the piece are triangles, all of them, and have no arrays.
+bool vtkMTPieceStream::AreCellsPlain()
+{
+  std::size_t end = 0;
+  return Select(this->Arrays, vtkMTArrayInfo::Cell).empty() && this->Piece->GetCellData()->GetNumberOfArrays() == 0 &&
+    std::all_of(
+      this->Corners.Ends.begin(), this->Corners.Ends.end(), [&end](std::size_t next) { return next == (end += 3); });
+}
+
+// They are a block as they are.
+void vtkMTPieceStream::TakePlainCells(TriangleBlock& block)
+{
+  const std::size_t count = this->Corners.Ends.size();
+  block.Triangles.resize(count);
+  block.CellIds.resize(count);
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const std::uint64_t* corners = this->Corners.Points.data() + 3 * t;
+    block.Triangles[t] = { corners[0], corners[1], corners[2] };
+    block.CellIds[t] = static_cast<std::int64_t>(this->FirstCell + this->FirstOfPiece + t);
+  }
+}
+
 bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
 {
   PointBlock skipped;
@@ -251,11 +274,20 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
     const std::uint64_t count = std::min(PieceSize, this->Cells - this->CellsRead);
     this->Piece->Initialize();
     this->Corners = CellCorners();
-    if (!this->ReadCells(count, this->Piece, this->Corners) || !this->BeginCells())
+    if (!this->ReadCells(count, this->Piece, this->Corners))
     {
       return false;
     }
     this->FirstOfPiece = this->CellsRead;
     this->CellsRead += count;
+    if (this->AreCellsPlain())
+    {
+      this->TakePlainCells(block);
+      return true;
+    }
+    if (!this->BeginCells())
+    {
+      return false;
+    }
   }
 }

@@ -72,6 +72,8 @@ protected:
 private:
   bool BeginPoints();
   bool BeginCells();
+  bool AreCellsPlain();
+  void TakePlainCells(TriangleBlock& block);
   bool AddPlaces();
   bool HasArraysOf(vtkMTArrayInfo::AssociationType association) const;
 

@@ -143,20 +143,28 @@ private:
         return false;
       }
     }
-    if (!this->IsText() && !this->Rows->Skip(this->Points * this->VertexSize))
+    if (!this->IsText() &&
+      (this->Points > this->Rows->GetLeft() / std::max<std::size_t>(this->VertexSize, 1) ||
+        !this->Rows->Skip(this->Points * this->VertexSize)))
     {
       return false;
     }
     Bytes row;
     std::vector<std::uint64_t> corners;
-    for (std::uint64_t i = 0; i < this->Faces; ++i)
+    for (std::uint64_t i = 0; i < this->Faces;)
     {
       row.clear();
       corners.clear();
-      if (!this->ReadFace(row, corners) || !this->AddCell(corners.data(), corners.size()))
+      const std::uint64_t triangles = this->TakeTriangles(this->Faces - i, corners);
+      for (std::uint64_t t = 0; t < triangles; ++t)
+      {
+        this->AddCell(corners.data() + 3 * t, 3);
+      }
+      if (triangles == 0 && (!this->ReadFace(row, corners) || !this->AddCell(corners.data(), corners.size())))
       {
         return false;
       }
+      i += std::max<std::uint64_t>(triangles, 1);
     }
     while (this->IsText() && this->Rows->TakeLine(line))
     {
@@ -271,6 +279,10 @@ private:
 
   bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) override
   {
+    if (this->Header.Elements[1].Properties.size() == 1)
+    {
+      return this->ReadCorners(count, corners);
+    }
     Bytes bytes = this->MakeHeader(3, count);
     for (int i = 0; i < 3; ++i)
     {
@@ -285,11 +297,72 @@ private:
     {
       if (!this->ReadFace(bytes, corners.Points))
       {
-        return this->FailAt("the file ends before its faces, has a corner that does not exist, or has changed");
+        return this->FailAt(FacesEnd);
       }
       corners.Ends.push_back(corners.Points.size());
     }
     return this->ReadPiece(std::move(bytes), piece);
+  }
+
+  // Of faces that have nothing but corners.
+  bool ReadCorners(std::uint64_t count, CellCorners& corners)
+  {
+    corners.Points.reserve(3 * static_cast<std::size_t>(count));
+    corners.Ends.reserve(static_cast<std::size_t>(count));
+    for (Bytes row; corners.Ends.size() < count; row.clear())
+    {
+      const std::size_t before = corners.Points.size();
+      const std::uint64_t triangles = this->TakeTriangles(count - corners.Ends.size(), corners.Points);
+      for (std::size_t t = 1; t <= triangles; ++t)
+      {
+        corners.Ends.push_back(before + 3 * t);
+      }
+      if (triangles == 0 && !this->ReadFace(row, corners.Points))
+      {
+        return this->FailAt(FacesEnd);
+      }
+      if (triangles == 0)
+      {
+        corners.Ends.push_back(corners.Points.size());
+      }
+    }
+    return true;
+  }
+
+  // What most files consist of, read at once as far as it is in memory: triangles with their number of corners in one
+  // byte, the corners in four each, and nothing else. Gives how many it took; any other face is left to ReadFace.
+  std::uint64_t TakeTriangles(std::uint64_t most, std::vector<std::uint64_t>& corners)
+  {
+    const vtkMTPlyProperty& list = this->Header.Elements[1].Properties[this->List];
+    if (this->Header.Format != vtkMTPlyHeader::LittleEndian || this->BeforeList + this->AfterList > 0 ||
+      vtkMTPlyHeader::GetSize(list.CountType) != 1 || vtkMTPlyHeader::GetSize(list.Type) != 4)
+    {
+      return 0;
+    }
+    constexpr std::size_t rowSize = 13;
+    const std::uint64_t range = std::uint64_t(1) << (list.Type == VTK_INT ? 31 : 32);
+    const std::uint64_t end = std::min(this->Points, range);
+    const auto [bytes, size] = this->Rows->GetBuffered();
+    const std::uint64_t rows = std::min<std::uint64_t>(most, size / rowSize);
+    std::uint64_t taken = 0;
+    for (; taken < rows; ++taken)
+    {
+      const unsigned char* row = bytes + rowSize * taken;
+      const std::array<std::uint64_t, 3> points{ Load32(row + 1), Load32(row + 5), Load32(row + 9) };
+      if (row[0] != 3 || points[0] >= end || points[1] >= end || points[2] >= end)
+      {
+        break;
+      }
+      corners.insert(corners.end(), points.begin(), points.end());
+    }
+    this->Rows->Skip(rowSize * taken);
+    return taken;
+  }
+
+  static std::uint32_t Load32(const unsigned char* bytes)
+  {
+    return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8 | std::uint32_t(bytes[2]) << 16 |
+      std::uint32_t(bytes[3]) << 24;
   }
 
   // Appends the next face's corners; to bytes, its values with the corners 0 1 2 in place of its own.
@@ -375,6 +448,9 @@ private:
     }
     return this->FailAt("a piece of it cannot be read: " + reason + ";");
   }
+
+  static constexpr const char* FacesEnd =
+    "the file ends before its faces, has a corner that does not exist, or has changed";
 
   std::unique_ptr<vtkMTFileByteSource> File;
   vtkMTPlyHeader Header;

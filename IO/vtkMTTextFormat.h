@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vtkMTTextFormat
@@ -41,6 +42,11 @@ public:
   /// many, or on failure.
   const unsigned char* Take(std::size_t count);
   bool Skip(std::uint64_t count);
+  /// What has been read of the bytes that come next, perhaps nothing; valid until the next call.
+  std::pair<const unsigned char*, std::size_t> GetBuffered() const
+  {
+    return { this->Buffer.data() + this->Next, this->Buffer.size() - this->Next };
+  }
 
   /// The next line without its end (\n, \r\n or \r); valid until the next call. False at the end of the bytes, on
   /// failure and when the line is longer than LargestLine.

@@ -392,6 +392,8 @@ public:
     , Growing(triangles.size(), vertices)
     , Number(vertices, None)
   {
+    this->Result.Triangles.reserve(triangles.size());
+    this->Result.Order.reserve(triangles.size());
   }
 
   vtkMTTriangleCodec::Coded Run()
@@ -424,6 +426,7 @@ private:
     }
     this->Behind.Finish(triangle);
     this->Result.Triangles.push_back(t);
+    this->Result.Order.push_back(triangle);
     this->Growing.Start(t);
   }
 
@@ -448,6 +451,7 @@ private:
     const std::uint32_t third = this->Triangles[behind.Triangle][(behind.Index + 2) % 3];
     this->Behind.Finish(behind.Triangle);
     this->Result.Triangles.push_back({ g.To, g.From, third });
+    this->Result.Order.push_back(behind.Triangle);
     if (this->Number[third] == None)
     {
       this->Steps.Put(New);

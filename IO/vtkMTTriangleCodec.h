@@ -43,6 +43,7 @@ struct Coded
   std::vector<unsigned char> Steps;     ///< a prefix code, lowest bit first
   std::vector<unsigned char> Names;     ///< LEB128: of vertices that are named
   std::vector<vtkMTTriangle> Triangles; ///< as they will be decoded, of the caller's vertices
+  std::vector<std::uint32_t> Order;     ///< which of the caller's triangles each one is; equal ones keep their order
 };
 
 /// Every triangle's indices are below `vertices`.

@@ -17,9 +17,12 @@
 
 #include "vtkMTIOModule.h" // For export macro
 
+#include <cstdint>
+#include <memory>
 #include <string>
 
 class vtkImageData;
+class vtkMTTriangleStream;
 class vtkPolyData;
 
 class VTKMTIO_EXPORT vtkMTVolumeReader
@@ -34,6 +37,12 @@ public:
   /// The same for the isosurface; one without a triangle is an error that says the range of the scalars.
   static bool ReadIsosurface(
     const std::string& path, double value, bool gradientNormals, vtkPolyData* output, std::string& error);
+
+  /// The same triangles in the same order, contoured a slab of slices at a time, without normals. Of MetaImage and NRRD
+  /// without compression only a slab is in memory, of other formats the volume. samplesPerSlab: 0 is the default, 2^22,
+  /// or a slice with the next where that is more. Null on failure, with the reason in error.
+  static std::unique_ptr<vtkMTTriangleStream> StreamIsosurface(
+    const std::string& path, double value, std::string& error, std::uint64_t samplesPerSlab = 0);
 };
 
 #endif

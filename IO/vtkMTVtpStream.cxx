@@ -99,7 +99,8 @@ public:
     vtkNew<vtkPolyData> points;
     vtkNew<vtkPolyData> cells;
     CellCorners corners;
-    const bool isRead = this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners);
+    const bool isRead =
+      this->HasLastPoint() && this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners);
     this->Arrays = GetArraysOf(points, cells);
     return isRead && this->Rewind();
   }
@@ -162,6 +163,19 @@ private:
       !IsSpecial(this->Connectivity) && vtkDataArray::SafeDownCast(places) && places->GetNumberOfComponents() == 3 &&
       this->OfPoints.Find(piece->FindNestedElementWithName("PointData")) &&
       this->OfCells.Find(piece->FindNestedElementWithName("CellData"));
+  }
+
+  // The number of points is only a claim of the file; room is planned by it. Text is read in order only.
+  bool HasLastPoint()
+  {
+    const char* format = this->Places->GetAttribute("format");
+    if (!this->Places->GetAttribute("offset") && (!format || std::strcmp(format, "binary") != 0))
+    {
+      return true;
+    }
+    const auto made = vtkMTXmlArrays::MakeArray(this->Places);
+    vtkDataArray* array = vtkDataArray::SafeDownCast(made);
+    return array && this->File.Read(this->Places, this->Points - 1, 1, array, this->Error);
   }
 
   bool LookAtPolygons()

@@ -10,7 +10,8 @@ vtkMTBox vtkMTPatch::GetBox() const
 {
   constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
   constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
-  vtkMTBox box{ highest, lowest, highest, lowest, highest, lowest };
+  vtkMTPoint low{ highest, highest, highest };
+  vtkMTPoint high{ lowest, lowest, lowest };
   for (const vtkMTTriangle& triangle : this->Triangles)
   {
     for (std::uint32_t wedge : triangle)
@@ -18,12 +19,13 @@ vtkMTBox vtkMTPatch::GetBox() const
       const vtkMTPoint& p = this->Points[this->GetPointOfWedge(wedge)];
       for (int i = 0; i < 3; ++i)
       {
-        box[2 * i] = std::min(box[2 * i], p[i]);
-        box[2 * i + 1] = std::max(box[2 * i + 1], p[i]);
+        low[i] = std::min(low[i], p[i]);
+        high[i] = std::max(high[i], p[i]);
       }
     }
   }
-  return this->Triangles.empty() ? vtkMTBox{ 0, -1, 0, -1, 0, -1 } : box;
+  return this->Triangles.empty() ? vtkMTBox{ 0, -1, 0, -1, 0, -1 }
+                                 : vtkMTBox{ low[0], high[0], low[1], high[1], low[2], high[2] };
 }
 
 //------------------------------------------------------------------------------

@@ -27,39 +27,21 @@ public:
       std::stable_sort(items.begin(), items.end(), [&key](const Item& a, const Item& b) { return key(a) < key(b); });
       return;
     }
-    std::vector<std::array<std::size_t, 256>> counts(8);
-    for (auto& count : counts)
-    {
-      count.fill(0);
-    }
+    std::uint64_t ones = 0;
+    std::uint64_t zeros = 0;
     for (const Item& item : items)
     {
-      const std::uint64_t k = key(item);
-      for (std::size_t digit = 0; digit < 8; ++digit)
-      {
-        ++counts[digit][(k >> (8 * digit)) & 255];
-      }
+      ones |= key(item);
+      zeros |= ~key(item);
     }
+    const std::uint64_t varying = ones & zeros;
     scratch.resize(items.size());
-    for (std::size_t digit = 0; digit < 8; ++digit)
+    for (unsigned shift = 0; shift < 64; shift += 8)
     {
-      std::array<std::size_t, 256>& places = counts[digit];
-      if (places[(key(items[0]) >> (8 * digit)) & 255] == items.size())
+      if (((varying >> shift) & 255) != 0)
       {
-        continue;
+        SortByDigit(items, scratch, key, shift);
       }
-      std::size_t sum = 0;
-      for (std::size_t& place : places)
-      {
-        const std::size_t count = place;
-        place = sum;
-        sum += count;
-      }
-      for (const Item& item : items)
-      {
-        scratch[places[(key(item) >> (8 * digit)) & 255]++] = item;
-      }
-      items.swap(scratch);
     }
   }
 
@@ -69,6 +51,28 @@ public:
   }
 
 private:
+  template <typename Item, typename Key>
+  static void SortByDigit(std::vector<Item>& items, std::vector<Item>& scratch, Key&& key, unsigned shift)
+  {
+    std::array<std::size_t, 256> places{};
+    for (const Item& item : items)
+    {
+      ++places[(key(item) >> shift) & 255];
+    }
+    std::size_t sum = 0;
+    for (std::size_t& place : places)
+    {
+      const std::size_t count = place;
+      place = sum;
+      sum += count;
+    }
+    for (const Item& item : items)
+    {
+      scratch[places[(key(item) >> shift) & 255]++] = item;
+    }
+    items.swap(scratch);
+  }
+
   static constexpr std::size_t ShortList = 512;
 };
 

@@ -135,7 +135,7 @@ public:
     : Meshes(meshes)
     , Floor(meshes.FloorSurface)
     , Fragment(meshes.FragmentSurface)
-    , Tree(meshes.FloorSurface)
+    , Tree(meshes.FloorSurface, vtkMTTriangleTree::GetEnoughEffort(meshes.FloorSurface))
   {
   }
 

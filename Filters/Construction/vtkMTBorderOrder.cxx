@@ -13,38 +13,74 @@ std::uint64_t Join(std::uint32_t high, std::uint32_t low)
   return (std::uint64_t(high) << 32) | low;
 }
 
+// Edges that were met an odd number of times, in a table with open addressing.
+class OddEdges
+{
+public:
+  explicit OddEdges(std::size_t edges)
+  {
+    while ((std::size_t(1) << this->Bits) < 2 * edges)
+    {
+      ++this->Bits;
+    }
+    this->Keys.assign(std::size_t(1) << this->Bits, None);
+    this->IsOdd.assign(this->Keys.size(), 0);
+  }
+
+  void Meet(std::uint64_t edge)
+  {
+    std::size_t at = static_cast<std::size_t>((edge * 0x9E3779B97F4A7C15u) >> (64 - this->Bits));
+    while (this->Keys[at] != edge && this->Keys[at] != None)
+    {
+      at = (at + 1) & (this->Keys.size() - 1);
+    }
+    this->Keys[at] = edge;
+    this->IsOdd[at] ^= 1;
+  }
+
+  template <typename Function>
+  void ForAll(Function&& function) const
+  {
+    for (std::size_t i = 0; i < this->Keys.size(); ++i)
+    {
+      if (this->IsOdd[i] != 0)
+      {
+        function(this->Keys[i]);
+      }
+    }
+  }
+
+private:
+  static constexpr std::uint64_t None = ~std::uint64_t(0); // no edge: its ends would be equal
+  unsigned Bits = 4;
+  std::vector<std::uint64_t> Keys;
+  std::vector<unsigned char> IsOdd;
+};
+
 // Every border edge twice, from either end, sorted.
 std::vector<std::uint64_t> FindBorderEdges(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& triangles)
 {
-  std::vector<std::uint64_t> edges;
-  std::vector<std::uint64_t> scratch;
-  edges.reserve(3 * triangles.size());
+  OddEdges edges(3 * triangles.size());
   for (const std::uint32_t t : triangles)
   {
     const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
     for (int c = 0; c < 3; ++c)
     {
       const auto [low, high] = std::minmax(p[c], p[(c + 1) % 3]);
-      edges.push_back(Join(low, high));
+      if (low != high)
+      {
+        edges.Meet(Join(low, high));
+      }
     }
   }
-  vtkMTRadixSort::Sort(edges, scratch);
   std::vector<std::uint64_t> border;
-  for (std::size_t i = 0; i < edges.size();)
-  {
-    const std::size_t begin = i;
-    while (i < edges.size() && edges[i] == edges[begin])
+  edges.ForAll(
+    [&border](std::uint64_t edge)
     {
-      ++i;
-    }
-    const auto low = static_cast<std::uint32_t>(edges[begin] >> 32);
-    const auto high = static_cast<std::uint32_t>(edges[begin]);
-    if ((i - begin) % 2 != 0 && low != high)
-    {
-      border.push_back(Join(low, high));
-      border.push_back(Join(high, low));
-    }
-  }
+      border.push_back(edge);
+      border.push_back((edge << 32) | (edge >> 32));
+    });
+  std::vector<std::uint64_t> scratch;
   vtkMTRadixSort::Sort(border, scratch);
   return border;
 }

@@ -28,6 +28,13 @@ constexpr double PerRecordTriangle = 22.0;
 constexpr double Sample = 1.5;
 // The DAG's records in builder, graph and sink: bytes per patch.
 constexpr double PerPatch = 600.0;
+
+// What no machine has is said as 2^60, so that sums of several fit as well.
+std::uint64_t ToBytes(double bytes)
+{
+  constexpr std::uint64_t most = std::uint64_t(1) << 60;
+  return bytes < static_cast<double>(most) ? static_cast<std::uint64_t>(bytes) : most;
+}
 }
 
 vtkMTMemoryPlan::vtkMTMemoryPlan(const vtkMTTriangleStream& input, const vtkMTBuildSettings& settings)
@@ -51,13 +58,12 @@ vtkMTMemoryPlan::vtkMTMemoryPlan(const vtkMTTriangleStream& input, const vtkMTBu
   const double standing = Base + BlockTriangles * CopiesOfBlock * values + triangles * Sample + patches * PerPatch;
   // A region for each thread, and half a one that waits to be taken over.
   const double work = (settings.Threads + 0.5) * floor * this->PerByteSimplified * record;
-  this->Standing = static_cast<std::uint64_t>(standing);
-  this->Fixed = static_cast<std::uint64_t>(standing + work);
+  this->Standing = ToBytes(standing);
+  this->Fixed = ToBytes(standing + work);
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
-  this->Whole = static_cast<std::uint64_t>(16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values));
+  this->Whole = ToBytes(16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values));
   // Fragments, patches and barycentres of the finest level, and the model itself: more than at any time before.
-  this->SpoolSize =
-    static_cast<std::uint64_t>(triangles * (68.0 + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB);
+  this->SpoolSize = ToBytes(triangles * (68.0 + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB);
 }
 
 std::size_t vtkMTMemoryPlan::GetSortMemory(std::uint64_t limit) const

@@ -92,9 +92,10 @@ private:
     if (this->Fragment.GetOpposite(h) == None)
     {
       h = this->FindDetour(h, entered);
+      this->LookAt(h);
     }
-    const double right = this->GetSide(h);
-    const double left = this->GetSide(vtkMTSurface::Next(h));
+    const double right = this->RightSide;
+    const double left = this->LeftSide;
     const double width = left - right;
     const double share = width > 0.0 ? std::clamp(-right / width, 0.0, 1.0) : (-right < left ? 0.0 : 1.0);
     const Vector& p = this->Fragment.GetPlace(h);
@@ -142,8 +143,14 @@ private:
     return length2 > 0.0 ? std::clamp(Dot(Subtract(x, p), along) / length2, 0.0, 1.0) : 0.0;
   }
 
+  void LookAt(std::uint32_t h)
+  {
+    this->RightSide = this->GetSide(h);
+    this->LeftSide = this->GetSide(vtkMTSurface::Next(h));
+  }
+
   // The half-edge from right to left. Where the line misses the triangle it passes by its nearest corner.
-  std::uint32_t FindFirstExit(std::uint32_t triangle) const
+  std::uint32_t FindFirstExit(std::uint32_t triangle)
   {
     const std::uint32_t first = 3 * triangle;
     const std::array<double, 3> side{ this->GetSide(first), this->GetSide(first + 1), this->GetSide(first + 2) };
@@ -154,14 +161,19 @@ private:
       nearest = std::abs(side[2]) < std::abs(side[nearest]) ? 2 : nearest;
       isLeft[nearest] = !isLeft[nearest];
     }
-    return !isLeft[0] && isLeft[1] ? first : (!isLeft[1] && isLeft[2] ? first + 1 : first + 2);
+    const std::uint32_t e = !isLeft[0] && isLeft[1] ? 0 : (!isLeft[1] && isLeft[2] ? 1 : 2);
+    this->RightSide = side[e];
+    this->LeftSide = side[e == 2 ? 0 : e + 1];
+    return first + e;
   }
 
-  // Of a triangle that was entered across a half-edge from left to right.
-  std::uint32_t FindExit(std::uint32_t entered) const
+  // Of a triangle that was entered across a half-edge from left to right; both ends of that have been looked at.
+  std::uint32_t FindExit(std::uint32_t entered)
   {
     const std::uint32_t third = vtkMTSurface::Previous(entered);
-    return this->GetSide(third) > 0.0 ? vtkMTSurface::Next(entered) : third;
+    const double side = this->GetSide(third);
+    (side > 0.0 ? this->LeftSide : this->RightSide) = side;
+    return side > 0.0 ? vtkMTSurface::Next(entered) : third;
   }
 
   // The line would leave the fragment: the edge over which to go around that end of the border edge which lies ahead.
@@ -250,8 +262,10 @@ private:
   const Vector& End;
   const Place& From;
   const Place& To;
-  Vector Direction; // from place to place
-  Vector Left;      // perpendicular to it, about in the fragment's surface
+  Vector Direction;       // from place to place
+  Vector Left;            // perpendicular to it, about in the fragment's surface
+  double RightSide = 0.0; // where the half-edge that the line comes to begins and ends: how far to the left
+  double LeftSide = 0.0;
   double Length2 = 0.0;
   double InverseLength2 = 0.0; // of the edge itself
 };

@@ -2,6 +2,7 @@
 #include "vtkMTPatchSplitter.h"
 
 #include "vtkMTBorderOrder.h"
+#include "vtkMTRadixSort.h"
 
 #include <algorithm>
 #include <cstring>
@@ -41,8 +42,8 @@ struct Groups
     : Triangles(regions.size())
   {
     std::iota(this->Triangles.begin(), this->Triangles.end(), 0u);
-    std::stable_sort(this->Triangles.begin(), this->Triangles.end(),
-      [&regions](std::uint32_t a, std::uint32_t b) { return regions[a] < regions[b]; });
+    std::vector<std::uint32_t> scratch;
+    vtkMTRadixSort::Sort(this->Triangles, scratch, [&regions](std::uint32_t t) { return std::uint64_t(regions[t]); });
     for (std::size_t i = 0; i < this->Triangles.size(); ++i)
     {
       const std::uint32_t region = regions[this->Triangles[i]];
@@ -139,8 +140,10 @@ vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector
       }
     }
   }
-  std::sort(points.begin(), points.end());
+  std::vector<std::uint32_t> sortScratch;
+  vtkMTRadixSort::Sort(points, sortScratch, [](std::uint32_t p) { return std::uint64_t(p); });
   std::stable_partition(points.begin(), points.end(), [&isShared](std::uint32_t p) { return isShared[p] != 0; });
+  patch.Points.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
   {
     scratch[wedgeCount + points[i]] = i;
@@ -151,8 +154,14 @@ vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector
     }
   }
   const auto newPoint = [&](std::uint32_t w) { return scratch[wedgeCount + mesh.GetPointOfWedge(w)]; };
-  std::sort(wedges.begin(), wedges.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return newPoint(a) != newPoint(b) ? newPoint(a) < newPoint(b) : a < b; });
+  if (mesh.WedgePoints.empty())
+  {
+    wedges = points;
+  }
+  else
+  {
+    vtkMTRadixSort::Sort(wedges, sortScratch, [&](std::uint32_t w) { return (std::uint64_t(newPoint(w)) << 32) | w; });
+  }
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
   {
     scratch[wedges[i]] = i;

@@ -36,7 +36,7 @@ vtkMTPieceBound::vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& t
   , After(to.GetNumberOfTriangles(), 0.0f)
   , From(from)
   , To(to)
-  , Tree(to)
+  , Tree(to, vtkMTTriangleTree::GetEnoughEffort(to))
   , Slack(slack)
   , Result(result)
   , BoundOfTriangle(from.GetNumberOfTriangles(), 0.0)
@@ -163,7 +163,10 @@ double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint
   if (guess == None || getTruth(hit) > this->Result.LowerBound)
   {
     hit = this->Tree.FindNearest(x, guess == None ? None : hit.Triangle);
-    this->Result.LowerBound = std::max(this->Result.LowerBound, getTruth(hit));
+    if (!this->Tree.IsExhausted())
+    {
+      this->Result.LowerBound = std::max(this->Result.LowerBound, getTruth(hit));
+    }
   }
   guess = hit.Triangle;
   return getTruth(hit);

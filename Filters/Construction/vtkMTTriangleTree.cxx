@@ -11,6 +11,8 @@ using namespace vtkMTVector;
 namespace
 {
 constexpr std::uint32_t LeafSize = 4;
+constexpr std::uint32_t RunLength = 24;
+constexpr std::uint64_t LeastEffort = 64; // of a query, when the tree is exhausted
 
 void Include(std::array<double, 6>& box, const Vector& x)
 {
@@ -45,6 +47,45 @@ double Distance2ToBox(const std::array<double, 6>& box, const Vector& x)
   return sum;
 }
 
+}
+
+void vtkMTTriangleTree::MakeRuns()
+{
+  const auto count = static_cast<std::uint32_t>(this->Surface.GetNumberOfTriangles());
+  this->Runs.reserve(count / RunLength + 1);
+  for (std::uint32_t begin = 0; begin < count; begin += RunLength)
+  {
+    Vector low = this->Surface.GetCorner(begin, 0);
+    Vector high = low;
+    for (std::uint32_t t = begin; t < std::min(begin + RunLength, count); ++t)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const Vector& x = this->Surface.GetCorner(t, c);
+        for (int i = 0; i < 3; ++i)
+        {
+          low[i] = std::min(low[i], x[i]);
+          high[i] = std::max(high[i], x[i]);
+        }
+      }
+    }
+    this->Runs.push_back({ low[0], high[0], low[1], high[1], low[2], high[2] });
+  }
+}
+
+void vtkMTTriangleTree::LookAtRuns(Query& query) const
+{
+  const auto count = static_cast<std::uint32_t>(this->Surface.GetNumberOfTriangles());
+  for (std::uint32_t run = 0; run < this->Runs.size(); ++run)
+  {
+    if (Distance2ToBox(this->Runs[run], query.Place) < query.Best2)
+    {
+      for (std::uint32_t t = run * RunLength; t < std::min((run + 1) * RunLength, count); ++t)
+      {
+        this->Look(query, t);
+      }
+    }
+  }
 }
 
 void vtkMTTriangleTree::Build()
@@ -125,10 +166,11 @@ vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* di
   if (this->Queries < QueriesWithoutTree)
   {
     ++this->Queries;
-    for (std::uint32_t t = 0; t < this->Surface.GetNumberOfTriangles(); ++t)
+    if (this->Runs.empty())
     {
-      this->Look(query, t);
+      this->MakeRuns();
     }
+    this->LookAtRuns(query);
   }
   else
   {
@@ -141,7 +183,7 @@ vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* di
   return query.Best == None ? Hit() : this->Surface.Project(x, query.Best);
 }
 
-void vtkMTTriangleTree::Traverse(Query& query) const
+void vtkMTTriangleTree::Traverse(Query& query)
 {
   struct Entry
   {
@@ -154,6 +196,7 @@ void vtkMTTriangleTree::Traverse(Query& query) const
   {
     stack[size++] = { 0, Distance2ToBox(this->Nodes[0].Box, query.Place) };
   }
+  const std::uint64_t before = this->Effort;
   while (size > 0)
   {
     const Entry entry = stack[--size];
@@ -161,7 +204,12 @@ void vtkMTTriangleTree::Traverse(Query& query) const
     {
       continue;
     }
+    if (this->IsExhausted() && query.Best != None && this->Effort >= before + LeastEffort)
+    {
+      return;
+    }
     const Node& node = this->Nodes[entry.Node];
+    this->Effort += 1 + node.Count;
     for (std::uint32_t i = node.First; i < node.First + node.Count; ++i)
     {
       this->Look(query, this->Order[i]);

@@ -4,8 +4,9 @@
  * @brief nearest-triangle queries on one region's mesh
  *
  * A bounding volume hierarchy with median splits along the longest side of the centroids' box, four triangles a leaf.
- * It is made when it pays: the first few queries look at all triangles instead. A query may be given a triangle to
- * begin with: a good guess spares most of the traversal. Ties go to that triangle, else to the one that is met first.
+ * It is made when it pays: the first queries look at the boxes of runs of triangles instead, which cost far less to
+ * make and do well as neighbours are mostly near in a patch's order. A query may be given a triangle to begin with: a
+ * good guess spares most of the traversal. Ties go to that triangle, else to the one that is met first.
  *
  * Threads: a tree is asked by one thread at a time.
  */
@@ -15,6 +16,7 @@
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTSurface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -27,11 +29,20 @@ public:
   static constexpr std::uint32_t None = vtkMTSurface::None;
 
   /// So many queries are answered without a tree.
-  static constexpr int QueriesWithoutTree = 40;
+  static constexpr int QueriesWithoutTree = 128;
 
-  /// The surface must outlive the tree.
-  explicit vtkMTTriangleTree(const vtkMTSurface& surface)
+  static constexpr std::uint64_t Unlimited = ~std::uint64_t(0);
+  /// Nodes and triangles to look at, all queries together: in proportion to the surface, and many times what surfaces
+  /// need.
+  static std::uint64_t GetEnoughEffort(const vtkMTSurface& surface)
+  {
+    return 1000 * std::max<std::uint64_t>(surface.GetNumberOfTriangles(), 1000);
+  }
+
+  /// The surface must outlive the tree. mostEffort: nodes and triangles, all queries together.
+  explicit vtkMTTriangleTree(const vtkMTSurface& surface, std::uint64_t mostEffort = Unlimited)
     : Surface(surface)
+    , MostEffort(mostEffort)
   {
   }
 
@@ -44,6 +55,11 @@ public:
   {
     return this->Find(x, &direction, guess);
   }
+
+  /// Nodes and triangles that were looked at by way of the tree.
+  std::uint64_t GetEffort() const { return this->Effort; }
+  /// Whether the last answer and all that follow may be other triangles than the nearest.
+  bool IsExhausted() const { return this->Effort > this->MostEffort; }
 
 private:
   struct Node
@@ -63,12 +79,17 @@ private:
   Hit Find(const Vector& x, const Vector* direction, std::uint32_t guess);
   bool IsFacing(const Query& query, std::uint32_t triangle) const;
   void Look(Query& query, std::uint32_t triangle) const;
-  void Traverse(Query& query) const;
+  void LookAtRuns(Query& query) const;
+  void Traverse(Query& query);
+  void MakeRuns();
   void Build();
   void BuildNode(std::uint32_t begin, std::uint32_t end, const std::vector<Vector>& centroids);
 
   const vtkMTSurface& Surface;
+  const std::uint64_t MostEffort;
   int Queries = 0;
+  std::uint64_t Effort = 0;                // of all queries together
+  std::vector<std::array<double, 6>> Runs; // boxes
   std::vector<std::uint32_t> Order;
   std::vector<Node> Nodes;
 };

@@ -127,6 +127,26 @@ TEST_F(CommandLine, EmptyAndGarbageFilesAreRefused)
   EXPECT_TRUE(this->List().empty()) << testing::PrintToString(this->List());
 }
 
+// Large enough to be streamed: nobody asks for the memory that it claims to need.
+TEST_F(CommandLine, ClaimOfImpossiblyManyPointsIsRefusedForThat)
+{
+  std::string points;
+  for (int i = 0; i < 1000000; ++i)
+  {
+    points += "0 0 1\n";
+  }
+  this->WriteFile("boast.vtp",
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\"><PolyData>"
+    "<Piece NumberOfPoints=\"56464000000000000\" NumberOfPolys=\"1\"><Points>"
+    "<DataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">" +
+      points +
+      "</DataArray></Points><Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray>"
+      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3</DataArray></Polys></Piece></PolyData></VTKFile>");
+  this->ExpectFailure(
+    this->Bmt({ "build", this->Path("boast.vtp"), "-o", this->Path("out.bmt"), "--memory", "160MiB" }), "build",
+    "56464000000000000 points");
+}
+
 TEST_F(CommandLine, TruncatedFilesAreRefused)
 {
   this->MakeModel(1280, 64);

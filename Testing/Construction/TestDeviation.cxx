@@ -179,6 +179,58 @@ TEST(TriangleTree, NearestIsTheLeastOverAllTriangles)
   }
 }
 
+namespace
+{
+// Triangles of all sizes and directions around the origin, each with points of its own.
+vtkMTPatch MakeHeap(std::uint32_t triangles, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> coordinate(0.0, 10000.0);
+  const auto round = [](double x) { return static_cast<std::int32_t>(std::lround(x)); };
+  vtkMTPatch mesh;
+  for (std::uint32_t i = 0; i < triangles; ++i)
+  {
+    const vtkMTPoint a{ round(coordinate(random)), round(coordinate(random)), round(coordinate(random)) };
+    const vtkMTPoint b{ round(coordinate(random)), round(coordinate(random)), round(coordinate(random)) };
+    mesh.Points.insert(mesh.Points.end(), { a, b, { -a[0] - b[0], -a[1] - b[1], -a[2] - b[2] } });
+    mesh.Triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return mesh;
+}
+}
+
+TEST(TriangleTree, WorkIsInProportionEvenWhereNoTreeHelps)
+{
+  const vtkMTPatch mesh = MakeHeap(3000, 5);
+  const vtkMTSurface surface(mesh, { 0, 0, 0 });
+  vtkMTTriangleTree tree(surface, vtkMTTriangleTree::GetEnoughEffort(surface));
+  std::mt19937 random(3);
+  std::normal_distribution<double> coordinate(0.0, 10000.0);
+  std::uint64_t before = 0;
+  for (int i = 0; i < 6000; ++i)
+  {
+    const bool wasExhausted = tree.IsExhausted();
+    before = tree.GetEffort();
+    const vtkMTTriangleTree::Hit hit = tree.FindNearest({ coordinate(random), coordinate(random), coordinate(random) });
+    ASSERT_LT(hit.Triangle, mesh.Triangles.size());
+    ASSERT_TRUE(std::isfinite(hit.Distance2));
+    ASSERT_LE(tree.GetEffort() - before, wasExhausted ? 100u : 6000u);
+  }
+  std::printf("looked at %.0f nodes and triangles per triangle in 6000 queries\n",
+    static_cast<double>(tree.GetEffort()) / 3000.0);
+  EXPECT_TRUE(tree.IsExhausted());
+}
+
+TEST(Deviation, BoundHoldsForHeapsOfTriangles)
+{
+  const vtkMTPatch one = MakeHeap(1200, 7);
+  const vtkMTPatch other = MakeHeap(600, 8);
+  const vtkMTDeviation deviation = GetDeviation(one, other);
+  const double sampled = std::max(SampleDistance(one, other, 3, 1), SampleDistance(other, one, 3, 2));
+  std::printf("bound %g, sampled %g, %zu pieces\n", deviation.UpperBound, sampled, deviation.Pieces);
+  EXPECT_GE(deviation.UpperBound, sampled);
+}
+
 TEST(Deviation, EqualMeshesHaveDistanceZeroExactly)
 {
   const vtkMTPatch mesh = MakeGrid(16, 16000, Hills);

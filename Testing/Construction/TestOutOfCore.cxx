@@ -158,6 +158,27 @@ TEST(OutOfCore, LimitThatIsTooSmallSaysTheLeastThatWouldDo)
 
 namespace
 {
+// As a damaged file may: says that it has many more points than it has.
+class Boaster : public vtkMTPolyDataStream
+{
+public:
+  using vtkMTPolyDataStream::vtkMTPolyDataStream;
+  std::uint64_t GetNumberOfPoints() const override { return ~std::uint64_t(0); }
+};
+}
+
+TEST(OutOfCore, PlanForImpossibleCountsIsFinite)
+{
+  Boaster stream(MTTestMeshes::FractalSphere(2));
+  const vtkNew<vtkMultiTriangulationBuilder> builder;
+  const vtkMTMemoryPlan plan = builder->MakeMemoryPlan(stream);
+  EXPECT_EQ(plan.GetSpoolSize(), std::uint64_t(1) << 60);
+  EXPECT_LE(plan.GetLeast(), std::uint64_t(1) << 60);
+  EXPECT_EQ(plan.GetSortMemory(0), std::uint64_t(1) << 60);
+}
+
+namespace
+{
 // Triangles whose barycentres are one point: no partition can take them apart.
 vtkSmartPointer<vtkPolyData> MakeInseparable(int triangles)
 {

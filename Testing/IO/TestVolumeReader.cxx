@@ -2,8 +2,10 @@
 // Volumes of every format, and their isosurfaces.
 #include "MTIOTest.h"
 
+#include "vtkMTTriangleStream.h"
 #include "vtkMTVolumeReader.h"
 
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMetaImageWriter.h"
 #include "vtkNIFTIImageWriter.h"
@@ -84,6 +86,88 @@ TEST(VolumeReader, EveryFormatGivesTheSameIsosurface)
     EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 0) << name;
     ASSERT_TRUE(vtkMTVolumeReader::ReadIsosurface(path, 9.0, true, mesh, error)) << error;
     EXPECT_NE(mesh->GetPointData()->GetNormals(), nullptr) << name;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+namespace
+{
+using Corners = std::array<std::array<double, 3>, 3>;
+
+std::vector<Corners> GetTriangles(vtkPolyData* mesh)
+{
+  std::vector<Corners> triangles(static_cast<std::size_t>(mesh->GetNumberOfPolys()));
+  vtkNew<vtkIdList> points;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    mesh->GetCellPoints(static_cast<vtkIdType>(t), points);
+    for (int c = 0; c < 3; ++c)
+    {
+      mesh->GetPoint(points->GetId(c), triangles[t][c].data());
+    }
+  }
+  return triangles;
+}
+
+std::vector<Corners> GetTriangles(vtkMTTriangleStream& stream)
+{
+  std::vector<std::array<double, 3>> points;
+  vtkMTTriangleStream::PointBlock block;
+  while (stream.NextPoints(block) && !block.Points.empty())
+  {
+    points.insert(points.end(), block.Points.begin(), block.Points.end());
+  }
+  EXPECT_EQ(points.size(), stream.GetNumberOfPoints());
+  std::vector<Corners> triangles;
+  vtkMTTriangleStream::TriangleBlock corners;
+  while (stream.NextTriangles(corners) && !corners.Triangles.empty())
+  {
+    for (std::size_t t = 0; t < corners.Triangles.size(); ++t)
+    {
+      EXPECT_EQ(corners.CellIds[t], static_cast<std::int64_t>(triangles.size()));
+      const auto& p = corners.Triangles[t];
+      triangles.push_back({ points.at(p[0]), points.at(p[1]), points.at(p[2]) });
+    }
+  }
+  EXPECT_EQ(triangles.size(), stream.GetNumberOfTriangles());
+  return triangles;
+}
+}
+
+TEST(VolumeReader, SlabsGiveTheTrianglesAndPointsOfTheWholeContour)
+{
+  const std::filesystem::path folder = std::filesystem::path(MT_TEST_OUTPUT_DIRECTORY) / "Slabs";
+  std::filesystem::create_directories(folder);
+  WriteWith<vtkXMLImageDataWriter>((folder / "ball.vti").string());
+  WriteWith<vtkMetaImageWriter>((folder / "packed.mhd").string());
+  WriteWith<vtkNIFTIImageWriter>((folder / "ball.nii.gz").string());
+  WriteNrrd((folder / "ball.nrrd").string());
+  for (const char* name : { "ball.mhd", "ball.mha" })
+  {
+    vtkNew<vtkMetaImageWriter> writer;
+    writer->SetInputData(MakeBall());
+    writer->SetCompression(false);
+    writer->SetFileName((folder / name).string().c_str());
+    writer->Write();
+  }
+  for (const char* name : { "ball.vti", "packed.mhd", "ball.mhd", "ball.mha", "ball.nii.gz", "ball.nrrd" })
+  {
+    const std::string path = (folder / name).string();
+    vtkNew<vtkPolyData> whole;
+    std::string error;
+    ASSERT_TRUE(vtkMTVolumeReader::ReadIsosurface(path, 9.0, false, whole, error)) << error;
+    for (const std::uint64_t slices : { 1, 5, 100 })
+    {
+      const auto stream = vtkMTVolumeReader::StreamIsosurface(path, 9.0, error, slices * Size * Size);
+      ASSERT_NE(stream, nullptr) << error;
+      EXPECT_EQ(stream->GetNumberOfPoints(), static_cast<std::uint64_t>(whole->GetNumberOfPoints())) << name;
+      EXPECT_EQ(GetTriangles(*stream), GetTriangles(whole)) << name << ", slices " << slices;
+      EXPECT_TRUE(stream->Rewind());
+      EXPECT_EQ(GetTriangles(*stream), GetTriangles(whole)) << name << ", again";
+    }
+    EXPECT_EQ(vtkMTVolumeReader::StreamIsosurface(path, 900.0, error), nullptr);
+    EXPECT_NE(error.find(name), std::string::npos) << error;
+    EXPECT_NE(error.find("between"), std::string::npos) << error;
   }
   std::filesystem::remove_all(folder);
 }
