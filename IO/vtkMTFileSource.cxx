@@ -4,12 +4,45 @@
 #include "vtkMTFileByteSource.h"
 #include "vtkMTFileDag.h"
 #include "vtkMTPatchCodec.h"
+#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <new>
 
 using vtkMTFileFormat::Align;
 using vtkMTFileFormat::Section;
+
+namespace
+{
+// What a patch is decoded with is kept for the next one by each thread, unless it was an uncommonly large one.
+class TraversalOfThread
+{
+public:
+  explicit TraversalOfThread(const vtkMTArc& arc)
+    : IsLarge(arc.Triangles > LargeSize || arc.Wedges > LargeSize)
+  {
+  }
+  ~TraversalOfThread()
+  {
+    if (this->IsLarge)
+    {
+      Get() = vtkMTTraversal();
+    }
+  }
+  TraversalOfThread(const TraversalOfThread&) = delete;
+  TraversalOfThread& operator=(const TraversalOfThread&) = delete;
+
+  static vtkMTTraversal& Get()
+  {
+    thread_local vtkMTTraversal traversal;
+    return traversal;
+  }
+
+private:
+  static constexpr std::uint32_t LargeSize = 8192; // two megabytes or so
+  bool IsLarge;
+};
+}
 
 struct vtkMTFileSource::Internals
 {
@@ -171,7 +204,7 @@ bool vtkMTFileSource::DecodeSection(
   bool good = vtkMTPatchCodec::Check(place, data, error);
   if (good && section == 0)
   {
-    good = vtkMTPatchCodec::DecodeGeometry(place, data, record, patch, error);
+    good = vtkMTPatchCodec::DecodeGeometry(place, data, record, TraversalOfThread::Get(), patch, error);
   }
   else if (good)
   {
@@ -180,7 +213,8 @@ bool vtkMTFileSource::DecodeSection(
       std::count_if(this->Graph.Arrays.begin(), this->Graph.Arrays.begin() + static_cast<std::ptrdiff_t>(section - 1),
         [&array](const vtkMTArrayInfo& other) { return other.Association == array.Association; });
     auto& columns = array.Association == vtkMTArrayInfo::Point ? patch.PointColumns : patch.CellColumns;
-    good = vtkMTPatchCodec::DecodeColumn(place, data, record, array, columns[static_cast<std::size_t>(before)], error);
+    good = vtkMTPatchCodec::DecodeColumn(
+      place, data, record, array, TraversalOfThread::Get(), columns[static_cast<std::size_t>(before)], error);
   }
   error = good ? error : "section " + std::to_string(section) + " " + error;
   return good;
@@ -198,6 +232,7 @@ bool vtkMTFileSource::ReadPatch(
     {
       return false;
     }
+    const TraversalOfThread traversal(this->Graph.Arcs[arc]);
     done = this->Implementation->Read(this->Implementation->SectionsOf(arc, this->Graph.Arrays.size()), wanted, reason,
       [&](std::size_t section, const unsigned char* data)
       { return this->DecodeSection(arc, section, data, patch, reason); });
@@ -266,6 +301,7 @@ bool vtkMTFileSource::TakePatch(std::uint32_t arc, const std::vector<unsigned ch
       return false;
     }
     const Section* sections = this->Implementation->SectionsOf(arc, this->Graph.Arrays.size());
+    const TraversalOfThread traversal(this->Graph.Arcs[arc]);
     done = true;
     for (std::size_t i = 0; done && i < wanted.size(); ++i)
     {

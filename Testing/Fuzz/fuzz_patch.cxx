@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A section of a patch: the decoders alone, behind all checks of file and directory.
 #include "vtkMTPatchCodec.h"
+#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <cstring>
@@ -34,11 +35,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<unsigned char> bytes(data + HeadSize, data + size); // so that reads past its end are seen
   std::string error;
   vtkMTPatch patch;
-  vtkMTPatchCodec::DecodeGeometry(section, bytes.data(), arc, patch, error);
+  vtkMTTraversal traversal;
+  vtkMTPatchCodec::DecodeGeometry(section, bytes.data(), arc, traversal, patch, error);
   vtkMTColumn column;
   if (array.GetTupleSize() > 0)
   {
-    vtkMTPatchCodec::DecodeColumn(section, bytes.data(), arc, array, column, error);
+    vtkMTPatchCodec::DecodeColumn(section, bytes.data(), arc, array, traversal, column, error);
   }
   return 0;
 }
