@@ -118,7 +118,8 @@ struct PackedGeometryRecord
   std::int32_t Corner[3];
   std::uint8_t Shift;    // coarse points are multiples of 2^Shift
   std::uint8_t HasTable; // 1: wedges are not points
-  std::uint16_t Reserved;
+  std::uint8_t IsNear;   // 1: points are expected nearer to their gates than a parallelogram ends
+  std::uint8_t Reserved;
   std::uint32_t SideSize;       // bytes of the side stream, decoded
   std::uint32_t StoredSideSize; // stored
 };

@@ -139,12 +139,12 @@ vtkMTPoint GetCorner(const std::vector<vtkMTPoint>& points)
 
 bool IsRecordRight(const Record& record, std::uint64_t size, std::string& error)
 {
-  // Eight triangles take a byte of the side stream at least, 32 points three.
+  // Eight triangles take a byte of the side stream at least, 64 points three.
   const bool isPossible = record.Shift <= vtkMTPositionCodec::MaximumShift && record.HasTable <= 1 &&
-    record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
+    record.IsNear <= 1 && record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
     record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(PackedGeometryRecord) &&
     vtkMTByteCodec::IsPlausible(record.StoredSideSize, record.SideSize) && record.Triangles / 8 <= record.SideSize &&
-    record.Points / 16 <= record.SideSize && (record.HasTable == 0 || record.Wedges <= record.SideSize);
+    record.Points / 32 <= record.SideSize && (record.HasTable == 0 || record.Wedges <= record.SideSize);
   error = isPossible ? error : "has an impossible header";
   return isPossible;
 }
@@ -173,6 +173,7 @@ bool ReadPositions(
 {
   vtkMTPositionCodec::Source source{};
   source.Shift = record.Shift;
+  source.IsNear = record.IsNear != 0;
   source.Coarse = side.GetBytes(record.Shift > 0 ? (std::uint64_t(record.Points) + 7) / 8 : 0);
   source.Parameters = source.Coarse ? side.GetBytes(3 * vtkMTRiceCode::GetNumberOfBlocks(record.Points)) : nullptr;
   std::uint64_t xSize = 0;
@@ -284,6 +285,7 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
   const std::size_t stored = bytes.size() - begin - sizeof(record);
   std::memcpy(record.Corner, corner.data(), sizeof(record.Corner));
   record.Shift = static_cast<std::uint8_t>(packed.Shift);
+  record.IsNear = packed.IsNear ? 1 : 0;
   record.HasTable = order.Patch.WedgePoints.empty() ? 0 : 1;
   record.SideSize = static_cast<std::uint32_t>(side.size());
   record.StoredSideSize = static_cast<std::uint32_t>(stored);

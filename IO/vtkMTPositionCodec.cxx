@@ -87,12 +87,24 @@ Basis GetBasis(const std::vector<Basis>& bases, std::size_t i)
     return { before, before, before };
   }
   const Basis& basis = bases[i];
-  return basis.C == None ? Basis{ basis.A + 1, before, before } : Basis{ basis.A + 1, basis.B + 1, basis.C + 1 };
+  return basis.C == None ? Basis{ basis.A + 1, basis.A + 1, basis.A + 1 }
+                         : Basis{ basis.A + 1, basis.B + 1, basis.C + 1 };
 }
 
-Wide Expect(const Wide* points, const Basis& basis)
+// near: all bits where points are expected nearer to the gate, by a quarter of what lies between C and the far corner
+// of the parallelogram.
+Wide Expect(const Wide* points, const Basis& basis, const Wide& near)
 {
-  return points[basis.A] + points[basis.B] - points[basis.C];
+  using SignedWide __attribute__((vector_size(16))) = std::int32_t;
+  const Wide& c = points[basis.C];
+  const Wide far = points[basis.A] + points[basis.B] - c;
+  const auto quarter = reinterpret_cast<SignedWide>(far - c) >> 2;
+  return far - (reinterpret_cast<Wide>(quarter) & near);
+}
+
+Wide GetNear(bool isNear)
+{
+  return Wide{} - (isNear ? 1u : 0u);
 }
 
 Wide FromZigzags(const Wide& codes)
@@ -138,6 +150,49 @@ bool MakeReaders(const vtkMTPositionCodec::Source& source, std::size_t points, R
   }
   return true;
 }
+
+using Codes = std::array<std::vector<std::uint32_t>, 3>;
+
+Codes GetCodes(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& bases, const vtkMTPoint& corner,
+  const vtkMTPositionCodec::Packed& packed)
+{
+  const Wide near = GetNear(packed.IsNear);
+  std::vector<Wide> places(points.size() + 1);
+  places[0] = Widen(corner);
+  Codes codes;
+  for (auto& axis : codes)
+  {
+    axis.resize(points.size());
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Wide expected = Expect(places.data(), GetBasis(bases, i), near);
+    const bool isCoarse = packed.Shift > 0 && GetBit(packed.Coarse.data(), i);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
+      codes[axis][i] = ToZigzag(isCoarse
+          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
+          : x - expected[axis]);
+    }
+    places[i + 1] = Widen(points[i]);
+  }
+  return codes;
+}
+
+// That the codes have above their leading zeros: how long Rice codes are, but for a constant.
+std::uint64_t GetBits(const Codes& codes)
+{
+  std::uint64_t bits = 0;
+  for (const auto& axis : codes)
+  {
+    for (const std::uint32_t code : axis)
+    {
+      bits += 32u - static_cast<unsigned>(__builtin_clz(code | 1u));
+    }
+  }
+  return bits;
+}
 }
 
 namespace vtkMTPositionCodec
@@ -147,28 +202,17 @@ Packed Encode(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& b
   Packed packed;
   packed.Shift = ChooseShift(points);
   packed.Coarse.assign(packed.Shift > 0 ? (points.size() + 7) / 8 : 0, 0);
-  std::vector<Wide> places{ Widen(corner) };
-  std::array<std::vector<std::uint32_t>, 3> codes;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.size() && packed.Shift > 0; ++i)
   {
-    const Wide expected = Expect(places.data(), GetBasis(bases, i));
-    const bool isCoarse = packed.Shift > 0 && CountZeros(points[i]) >= packed.Shift;
-    if (isCoarse)
-    {
-      packed.Coarse[i / 8] |= static_cast<unsigned char>(1u << (i % 8));
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
-      codes[axis].push_back(ToZigzag(isCoarse
-          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
-          : x - expected[axis]));
-    }
-    places.push_back(Widen(points[i]));
+    packed.Coarse[i / 8] |= static_cast<unsigned char>((CountZeros(points[i]) >= packed.Shift ? 1u : 0u) << (i % 8));
   }
+  Codes codes = GetCodes(points, bases, corner, packed);
+  packed.IsNear = true;
+  Codes nearCodes = GetCodes(points, bases, corner, packed);
+  packed.IsNear = GetBits(nearCodes) < GetBits(codes);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    packed.Axes[axis] = vtkMTRiceCode::Encode(codes[axis]);
+    packed.Axes[axis] = vtkMTRiceCode::Encode(packed.IsNear ? nearCodes[axis] : codes[axis]);
   }
   return packed;
 }
@@ -185,6 +229,7 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
   {
     places.resize(points + 1);
   }
+  const Wide near = GetNear(source.IsNear);
   Wide* const out = places.data();
   out[0] = Widen(corner);
   alignas(Wide) std::uint32_t codes[vtkMTRiceCode::BlockSize][4] = {};
@@ -204,7 +249,7 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
     {
       Wide code;
       std::memcpy(&code, codes[i - begin], sizeof(code));
-      const Wide expected = Expect(out, GetBasis(bases, i));
+      const Wide expected = Expect(out, GetBasis(bases, i), near);
       out[i + 1] = source.Shift == 0
         ? expected + FromZigzags(code)
         : Rounding(source.Shift, GetBit(source.Coarse, i)).Apply(expected, FromZigzags(code));

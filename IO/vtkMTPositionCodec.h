@@ -3,10 +3,11 @@
  * The points of a patch as differences to what their neighbours let expect. Not installed.
  *
  * A point is expected where it completes a parallelogram with the triangle across the gate at which it is met (Touma
- * and Gotsman, "Triangle mesh compression", 1998). The differences of each axis are Rice codes (vtkMTRiceCode). Where
- * most points of a patch lie on a multiple of a power of two, as the builder leaves them on coarse levels, a bit per
- * point says so and its differences are that much shorter. All arithmetic is modulo 2^32, so every sequence of bytes
- * means some points.
+ * and Gotsman, "Triangle mesh compression", 1998), or, where that suits a patch better because its triangles are as
+ * long as noise is high, three quarters of the way there. The differences of each axis are Rice codes (vtkMTRiceCode).
+ * Where most points of a patch lie on a multiple of a power of two, as the builder leaves them on coarse levels, a bit
+ * per point says so and its differences are that much shorter. All arithmetic is modulo 2^32, so every sequence of
+ * bytes means some points.
  */
 #ifndef vtkMTPositionCodec_h
 #define vtkMTPositionCodec_h
@@ -27,6 +28,7 @@ constexpr unsigned MaximumShift = 24;
 struct Packed
 {
   unsigned Shift = 0;                         ///< coarse points are multiples of 2^Shift
+  bool IsNear = false;                        ///< expected nearer to the gate than the parallelogram ends
   std::vector<unsigned char> Coarse;          ///< a bit per point, lowest first; empty when Shift is 0
   std::array<vtkMTRiceCode::Coded, 3> Axes{}; ///< the differences of each axis, zigzag
 };
@@ -43,6 +45,7 @@ Packed Encode(
 struct Source
 {
   unsigned Shift;
+  bool IsNear;
   const unsigned char* Coarse;
   const unsigned char* Parameters;       ///< x's blocks, y's, z's
   std::array<std::size_t, 2> UnarySizes; ///< x's, y's; z's is what is left

@@ -17,7 +17,7 @@
 
 namespace vtkMTRiceCode
 {
-constexpr std::size_t BlockSize = 32;
+constexpr std::size_t BlockSize = 64;
 constexpr unsigned MostBits = 32; // the largest parameter
 
 inline std::size_t GetNumberOfBlocks(std::size_t codes)

@@ -419,6 +419,7 @@ public:
     , Corners(3 * triangles.size())
     , Triangles(triangles)
     , IsDone(triangles.size(), 0)
+    , Reverse(triangles.size(), Unknown)
   {
     for (const vtkMTTriangle& t : triangles)
     {
@@ -443,27 +444,73 @@ public:
     std::uint32_t Triangle = None;
     std::uint32_t Index = 0;
   };
-  // A triangle that is not done and runs from a to b, which is its corner `Index` to the next; the first of them.
-  Corner Find(std::uint32_t a, std::uint32_t b) const
+  // A triangle that is not done and runs from a to b, which is its corner `Index` to the next; the first of them, but
+  // rather one that is there a second time the other way round: one goes to it and back by the other one, while nothing
+  // would lead there later, where the surface goes on past it.
+  Corner Find(std::uint32_t a, std::uint32_t b)
   {
+    Corner found;
     for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
     {
       const Corner& corner = this->Corners[i];
-      if (!this->IsDone[corner.Triangle] && this->Triangles[corner.Triangle][(corner.Index + 1) % 3] == b)
+      if (this->IsDone[corner.Triangle] || this->Get(corner, 1) != b)
+      {
+        continue;
+      }
+      if (found.Triangle == None)
+      {
+        found = corner;
+      }
+      else if (!this->HasReverse(found) && this->HasReverse(corner))
       {
         return corner;
       }
     }
-    return {};
+    return found;
   }
   void Finish(std::uint32_t triangle) { this->IsDone[triangle] = 1; }
   bool IsFinished(std::uint32_t triangle) const { return this->IsDone[triangle] != 0; }
 
 private:
+  std::uint32_t Get(const Corner& corner, std::uint32_t offset) const
+  {
+    return this->Triangles[corner.Triangle][(corner.Index + offset) % 3];
+  }
+  // Done or not; looked for once, as there may be any number of triangles at a vertex.
+  bool HasReverse(const Corner& corner)
+  {
+    ReverseType& reverse = this->Reverse[corner.Triangle];
+    if (reverse == Unknown)
+    {
+      reverse = this->FindReverse(corner) ? Some : Lone;
+    }
+    return reverse == Some;
+  }
+  bool FindReverse(const Corner& corner) const
+  {
+    const std::uint32_t a = this->Get(corner, 0);
+    for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
+    {
+      const Corner& other = this->Corners[i];
+      if (this->Get(other, 1) == this->Get(corner, 2) && this->Get(other, 2) == this->Get(corner, 1))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  enum ReverseType : unsigned char
+  {
+    Unknown,
+    Some,
+    Lone
+  };
   std::vector<std::size_t> First;
   std::vector<Corner> Corners;
   const std::vector<vtkMTTriangle>& Triangles;
   std::vector<unsigned char> IsDone;
+  std::vector<ReverseType> Reverse;
 };
 
 class Encoder

@@ -186,8 +186,8 @@ class Patch:
         require(stream.at == len(stream.data), "a geometry section of another length")
 
     def read_packed(self, codec, data):
-        *self.corner, shift, has_table, zero, side_size, stored = struct.unpack_from("<3iBBHII", data)
-        require(zero == 0, "a reserved byte is not 0")
+        *self.corner, shift, has_table, near, zero, side_size, stored = struct.unpack_from("<3i4BII", data)
+        require(near <= 1 and zero == 0, "a reserved byte is not 0")
         side = Stream(decompress(codec, data[24:24 + stored], side_size))
         steps = side.take(side.number())
         names = side.take(side.number())
@@ -201,7 +201,7 @@ class Patch:
             for w, p in enumerate(wedge_points):
                 first.setdefault(p, w)
             bases = {p: [wedge_points[x] for x in bases.get(w, [])] for p, w in first.items()}
-        points = self.read_points(bases, shift, coarse, side, data[24 + stored:])
+        points = self.read_points(bases, shift, near, coarse, side, data[24 + stored:])
         require(side.at == len(side.data), "a side stream of another length")
         self.ids = [ids[p] for p in sorted(ids)]
         self.place(points, [p in ids for p in range(len(points))], wedge_points, triangles)
@@ -375,9 +375,9 @@ class Patch:
                     ids[point] = highs[high] << 32 | before[high]
         return ids
 
-    def read_points(self, bases, shift, coarse, side, data):
+    def read_points(self, bases, shift, near, coarse, side, data):
         count = self.points_count
-        blocks = [min(32, count - begin) for begin in range(0, count, 32)]
+        blocks = [min(64, count - begin) for begin in range(0, count, 64)]
         parameters = side.take(3 * len(blocks))
         unary_sizes = [side.number(), side.number()]
         low_sizes = [low_size(blocks, parameters[axis * len(blocks):]) for axis in range(3)]
@@ -391,7 +391,7 @@ class Patch:
             basis = bases.get(i, [])
             if len(basis) == 3:
                 a, b, c = (points[p] for p in basis)
-                expected = [a[k] + b[k] - c[k] for k in range(3)]
+                expected = [a[k] + b[k] - c[k] - (signed(a[k] + b[k] - 2 * c[k]) >> 2) * near for k in range(3)]
             else:
                 expected = points[basis[0]] if basis else points[-1] if points else self.corner
             place = []
@@ -465,7 +465,7 @@ def unpack_numbers(packed, before, components, size):
 def unpack_directions(data, bases):
     count = len(bases)
     *first, unary_size = struct.unpack_from("<HHI", data)
-    blocks = [min(32, count - begin) for begin in range(0, count, 32)]
+    blocks = [min(64, count - begin) for begin in range(0, count, 64)]
     parameters = data[8:8 + len(blocks)]
     stream = Stream(data[8 + len(blocks):])
     k = [[p & 15 for p in parameters], [p >> 4 for p in parameters]]
