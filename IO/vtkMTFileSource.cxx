@@ -24,7 +24,7 @@ public:
   }
   ~TraversalOfThread()
   {
-    if (this->IsLarge)
+    if (this->IsLarge || Get().Stored.size() > LargeBytes || Get().Bytes.size() > LargeBytes)
     {
       Get() = vtkMTTraversal();
     }
@@ -40,6 +40,7 @@ public:
 
 private:
   static constexpr std::uint32_t LargeSize = 8192; // two megabytes or so
+  static constexpr std::size_t LargeBytes = 1 << 20;
   bool IsLarge;
 };
 }
@@ -89,11 +90,12 @@ struct vtkMTFileSource::Internals
     return true;
   }
 
-  // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes).
+  // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes). buffer only
+  // grows.
   template <typename Use>
-  bool Read(const Section* sections, const std::vector<unsigned char>& wanted, std::string& error, Use&& use) const
+  bool Read(const Section* sections, const std::vector<unsigned char>& wanted, std::vector<unsigned char>& buffer,
+    std::string& error, Use&& use) const
   {
-    std::vector<unsigned char> buffer;
     for (std::size_t first = 0; first < wanted.size();)
     {
       if (!wanted[first])
@@ -107,7 +109,10 @@ struct vtkMTFileSource::Internals
       {
         size += static_cast<std::size_t>(Align(sections[end].StoredSize));
       }
-      buffer.resize(size);
+      if (buffer.size() < size)
+      {
+        buffer.resize(size);
+      }
       if (!this->Bytes->Read(sections[first].Offset, size, buffer.data(), error))
       {
         return false;
@@ -233,7 +238,8 @@ bool vtkMTFileSource::ReadPatch(
       return false;
     }
     const TraversalOfThread traversal(this->Graph.Arcs[arc]);
-    done = this->Implementation->Read(this->Implementation->SectionsOf(arc, this->Graph.Arrays.size()), wanted, reason,
+    done = this->Implementation->Read(this->Implementation->SectionsOf(arc, this->Graph.Arrays.size()), wanted,
+      TraversalOfThread::Get().Stored, reason,
       [&](std::size_t section, const unsigned char* data)
       { return this->DecodeSection(arc, section, data, patch, reason); });
   }
@@ -340,7 +346,8 @@ bool vtkMTFileSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& b
   bool done = false;
   try
   {
-    done = this->Implementation->Read(&section, { 1 }, reason,
+    std::vector<unsigned char> buffer;
+    done = this->Implementation->Read(&section, { 1 }, buffer, reason,
       [&](std::size_t, const unsigned char* data)
       {
         const bool good = vtkMTPatchCodec::Check(section, data, reason);

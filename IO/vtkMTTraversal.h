@@ -20,7 +20,8 @@ struct vtkMTTraversal
   vtkMTTriangleCodec::Decoded Mesh;
   std::vector<std::uint32_t> WedgeOfStream; ///< the patch's wedge for each one in stream order
 
-  std::vector<unsigned char> Bytes;
+  std::vector<unsigned char> Stored; ///< sections as they are in the file
+  std::vector<unsigned char> Bytes;  ///< the geometry's streams
   std::vector<std::uint32_t> WedgePoints;
   std::vector<std::uint32_t> PointOfStream;
   std::vector<vtkMTTriangleCodec::Basis> PointBases;

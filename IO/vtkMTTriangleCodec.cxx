@@ -139,21 +139,25 @@ public:
     this->Gates[gate].State = Gone;
   }
 
-  // The gate and the next one give way to one.
-  void JoinRight(std::uint32_t gate, std::uint32_t triangle)
+  // The gate and the next or the previous one give way to one. Nobody can guess which of the two it is, so they are
+  // told apart without a branch.
+  std::uint32_t GetNeighbour(std::uint32_t gate, bool isRight) const
   {
-    const std::uint32_t next = this->Gates[gate].Next;
-    // It is the one that would be asked next more often than not. Nobody can guess when; so it is passed over without a
-    // branch.
-    this->Head += next == this->Head ? 1 : 0;
-    this->Join(gate, next, this->Add(this->Gates[gate].From, this->Gates[next].To, this->Gates[gate].To, triangle));
+    return isRight ? this->Gates[gate].Next : this->Gates[gate].Previous;
   }
-
-  void JoinLeft(std::uint32_t gate, std::uint32_t triangle)
+  void Join(std::uint32_t gate, std::uint32_t neighbour, bool isRight, std::uint32_t triangle)
   {
-    const std::uint32_t previous = this->Gates[gate].Previous;
-    this->Join(
-      previous, gate, this->Add(this->Gates[previous].From, this->Gates[gate].To, this->Gates[gate].From, triangle));
+    const std::uint32_t first = isRight ? gate : neighbour;
+    const std::uint32_t second = isRight ? neighbour : gate;
+    const std::uint32_t across = isRight ? this->Gates[gate].To : this->Gates[gate].From;
+    const std::uint32_t before = this->Gates[first].Previous;
+    const std::uint32_t after = this->Gates[second].Next;
+    // The neighbour is the one that would be asked next more often than not; it is passed over.
+    this->Head += neighbour == this->Head ? 1 : 0;
+    const std::uint32_t joined = this->Add(this->Gates[first].From, this->Gates[second].To, across, triangle);
+    this->Link(before == second ? joined : before, joined);
+    this->Link(joined, after == first ? joined : after);
+    this->Gates[first].State = this->Gates[second].State = Gone;
   }
 
   // The third vertex is on the front already: the loop is cut in two there, or two loops become one.
@@ -202,14 +206,7 @@ private:
     this->GateFrom[from] = gate;
     return gate;
   }
-  void Join(std::uint32_t first, std::uint32_t second, std::uint32_t joined)
-  {
-    const std::uint32_t before = this->Gates[first].Previous;
-    const std::uint32_t after = this->Gates[second].Next;
-    this->Link(before == second ? joined : before, joined);
-    this->Link(joined, after == first ? joined : after);
-    this->Gates[first].State = this->Gates[second].State = Gone;
-  }
+
   void Link(std::uint32_t a, std::uint32_t b)
   {
     this->Gates[a].Next = b;
@@ -238,13 +235,12 @@ unsigned FindStep(const Front& front, std::uint32_t gate, std::uint32_t vertex)
   return isRight ? Right : (isLeft ? Left : Named);
 }
 
-// Steps as the decoder may take them: the neighbour must be an open gate of its own.
-bool MayJoin(const Front& front, std::uint32_t gate, unsigned step)
+// The decoder may take this step: the neighbours must be two open gates of their own.
+bool MayJoinBoth(const Front& front, std::uint32_t gate)
 {
   const Front::Gate& g = front.Get(gate);
-  const bool hasRight = g.Next != gate && front.IsOpen(g.Next);
-  const bool hasLeft = g.Previous != gate && front.IsOpen(g.Previous);
-  return step == Right ? hasRight : (step == Left ? hasLeft : hasRight && hasLeft && g.Next != g.Previous);
+  return g.Next != gate && front.IsOpen(g.Next) && g.Previous != gate && front.IsOpen(g.Previous) &&
+    g.Next != g.Previous;
 }
 
 //------------------------------------------------------------------------------
@@ -588,10 +584,8 @@ private:
         this->Growing.Split(gate, third, this->GetDone());
         break;
       case Right:
-        this->Growing.JoinRight(gate, this->GetDone());
-        break;
       case Left:
-        this->Growing.JoinLeft(gate, this->GetDone());
+        this->Growing.Join(gate, this->Growing.GetNeighbour(gate, step == Right), step == Right, this->GetDone());
         break;
       case Both:
         this->Growing.JoinBoth(gate);
@@ -719,9 +713,20 @@ private:
         now.Growing.MakeBorder(gate);
         this->BorderGates[now.Borders++] = gate;
       }
-      else if ((step == Right || step == Left || step == Both) && MayJoin(now.Growing, gate, step))
+      else if (step == Right || step == Left)
       {
-        this->TakeJoin(now, gate, step);
+        const std::uint32_t neighbour = now.Growing.GetNeighbour(gate, step == Right);
+        if (neighbour == gate || !now.Growing.IsOpen(neighbour))
+        {
+          break;
+        }
+        this->TakeJoin(now, gate, neighbour, step == Right);
+      }
+      else if (step == Both && MayJoinBoth(now.Growing, gate))
+      {
+        this->Put(now, now.Growing.Get(gate), now.Growing.GetRight(gate));
+        now.Growing.JoinBoth(gate);
+        ++now.Done;
       }
       else
       {
@@ -743,22 +748,11 @@ private:
     now.Growing.Split(gate, now.Met++, now.Done++);
   }
 
-  void TakeJoin(Cursor& now, std::uint32_t gate, unsigned step)
+  void TakeJoin(Cursor& now, std::uint32_t gate, std::uint32_t neighbour, bool isRight)
   {
-    this->Put(now, now.Growing.Get(gate), step == Left ? now.Growing.GetLeft(gate) : now.Growing.GetRight(gate));
-    if (step == Right)
-    {
-      now.Growing.JoinRight(gate, now.Done);
-    }
-    else if (step == Left)
-    {
-      now.Growing.JoinLeft(gate, now.Done);
-    }
-    else
-    {
-      now.Growing.JoinBoth(gate);
-    }
-    ++now.Done;
+    const Front::Gate& other = now.Growing.Get(neighbour);
+    this->Put(now, now.Growing.Get(gate), isRight ? other.To : other.From);
+    now.Growing.Join(gate, neighbour, isRight, now.Done++);
   }
 
   // The triangle behind a gate.
