@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The records of a Multi-Triangulation file, version 3, as Documentation/file-format.md describes them. Not installed.
+// The records of a Multi-Triangulation file, version 4, as Documentation/file-format.md describes them. Not installed.
 #ifndef vtkMTFileFormat_h
 #define vtkMTFileFormat_h
 
@@ -15,7 +15,7 @@ namespace vtkMTFileFormat
 {
 // As PNG's: a byte with the high bit set, both kinds of line end and an end-of-file mark show damage by text transfer.
 constexpr unsigned char Magic[8] = { 0x89, 'B', 'M', 'T', '\r', '\n', 0x1a, '\n' };
-constexpr std::uint32_t Version = 3;
+constexpr std::uint32_t Version = 4;
 constexpr std::uint64_t Alignment = 16;  // of every block and section; the gaps are zero and under the checksum before
 constexpr std::uint64_t PageSize = 4096; // the patches begin on one
 
@@ -118,7 +118,8 @@ struct PackedGeometryRecord
   std::int32_t Corner[3];
   std::uint8_t Shift;    // coarse points are multiples of 2^Shift
   std::uint8_t HasTable; // 1: wedges are not points
-  std::uint16_t Reserved;
+  std::uint8_t IsNear;   // 1: points are expected nearer to their gates than a parallelogram ends
+  std::uint8_t Reserved;
   std::uint32_t SideSize;       // bytes of the side stream, decoded
   std::uint32_t StoredSideSize; // stored
 };

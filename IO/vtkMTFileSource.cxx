@@ -4,12 +4,46 @@
 #include "vtkMTFileByteSource.h"
 #include "vtkMTFileDag.h"
 #include "vtkMTPatchCodec.h"
+#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <new>
 
 using vtkMTFileFormat::Align;
 using vtkMTFileFormat::Section;
+
+namespace
+{
+// What a patch is decoded with is kept for the next one by each thread, unless it was an uncommonly large one.
+class TraversalOfThread
+{
+public:
+  explicit TraversalOfThread(const vtkMTArc& arc)
+    : IsLarge(arc.Triangles > LargeSize || arc.Wedges > LargeSize)
+  {
+  }
+  ~TraversalOfThread()
+  {
+    if (this->IsLarge || Get().Stored.size() > LargeBytes || Get().Bytes.size() > LargeBytes)
+    {
+      Get() = vtkMTTraversal();
+    }
+  }
+  TraversalOfThread(const TraversalOfThread&) = delete;
+  TraversalOfThread& operator=(const TraversalOfThread&) = delete;
+
+  static vtkMTTraversal& Get()
+  {
+    thread_local vtkMTTraversal traversal;
+    return traversal;
+  }
+
+private:
+  static constexpr std::uint32_t LargeSize = 8192; // two megabytes or so
+  static constexpr std::size_t LargeBytes = 1 << 20;
+  bool IsLarge;
+};
+}
 
 struct vtkMTFileSource::Internals
 {
@@ -56,11 +90,12 @@ struct vtkMTFileSource::Internals
     return true;
   }
 
-  // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes).
+  // Reads the wanted sections of a patch, neighbours together, and hands each one to use(index, its bytes). buffer only
+  // grows.
   template <typename Use>
-  bool Read(const Section* sections, const std::vector<unsigned char>& wanted, std::string& error, Use&& use) const
+  bool Read(const Section* sections, const std::vector<unsigned char>& wanted, std::vector<unsigned char>& buffer,
+    std::string& error, Use&& use) const
   {
-    std::vector<unsigned char> buffer;
     for (std::size_t first = 0; first < wanted.size();)
     {
       if (!wanted[first])
@@ -74,7 +109,10 @@ struct vtkMTFileSource::Internals
       {
         size += static_cast<std::size_t>(Align(sections[end].StoredSize));
       }
-      buffer.resize(size);
+      if (buffer.size() < size)
+      {
+        buffer.resize(size);
+      }
       if (!this->Bytes->Read(sections[first].Offset, size, buffer.data(), error))
       {
         return false;
@@ -171,7 +209,7 @@ bool vtkMTFileSource::DecodeSection(
   bool good = vtkMTPatchCodec::Check(place, data, error);
   if (good && section == 0)
   {
-    good = vtkMTPatchCodec::DecodeGeometry(place, data, record, patch, error);
+    good = vtkMTPatchCodec::DecodeGeometry(place, data, record, TraversalOfThread::Get(), patch, error);
   }
   else if (good)
   {
@@ -180,7 +218,8 @@ bool vtkMTFileSource::DecodeSection(
       std::count_if(this->Graph.Arrays.begin(), this->Graph.Arrays.begin() + static_cast<std::ptrdiff_t>(section - 1),
         [&array](const vtkMTArrayInfo& other) { return other.Association == array.Association; });
     auto& columns = array.Association == vtkMTArrayInfo::Point ? patch.PointColumns : patch.CellColumns;
-    good = vtkMTPatchCodec::DecodeColumn(place, data, record, array, columns[static_cast<std::size_t>(before)], error);
+    good = vtkMTPatchCodec::DecodeColumn(
+      place, data, record, array, TraversalOfThread::Get(), columns[static_cast<std::size_t>(before)], error);
   }
   error = good ? error : "section " + std::to_string(section) + " " + error;
   return good;
@@ -198,7 +237,9 @@ bool vtkMTFileSource::ReadPatch(
     {
       return false;
     }
-    done = this->Implementation->Read(this->Implementation->SectionsOf(arc, this->Graph.Arrays.size()), wanted, reason,
+    const TraversalOfThread traversal(this->Graph.Arcs[arc]);
+    done = this->Implementation->Read(this->Implementation->SectionsOf(arc, this->Graph.Arrays.size()), wanted,
+      TraversalOfThread::Get().Stored, reason,
       [&](std::size_t section, const unsigned char* data)
       { return this->DecodeSection(arc, section, data, patch, reason); });
   }
@@ -266,6 +307,7 @@ bool vtkMTFileSource::TakePatch(std::uint32_t arc, const std::vector<unsigned ch
       return false;
     }
     const Section* sections = this->Implementation->SectionsOf(arc, this->Graph.Arrays.size());
+    const TraversalOfThread traversal(this->Graph.Arcs[arc]);
     done = true;
     for (std::size_t i = 0; done && i < wanted.size(); ++i)
     {
@@ -304,7 +346,8 @@ bool vtkMTFileSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& b
   bool done = false;
   try
   {
-    done = this->Implementation->Read(&section, { 1 }, reason,
+    std::vector<unsigned char> buffer;
+    done = this->Implementation->Read(&section, { 1 }, buffer, reason,
       [&](std::size_t, const unsigned char* data)
       {
         const bool good = vtkMTPatchCodec::Check(section, data, reason);

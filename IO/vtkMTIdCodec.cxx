@@ -80,12 +80,11 @@ std::size_t FindEnd(
 
 namespace vtkMTIdCodec
 {
-std::vector<std::uint32_t> GetBorderOrder(
-  const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& wedgePoints, std::size_t points)
+void GetBorderOrder(const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& wedgePoints,
+  std::size_t points, std::vector<unsigned char>& isMet, std::vector<std::uint32_t>& order)
 {
-  std::vector<unsigned char> isMet(points, 0);
-  std::vector<std::uint32_t> order;
-  order.reserve(border.size());
+  isMet.assign(points, 0);
+  order.clear();
   for (const std::uint32_t vertex : border)
   {
     const std::uint32_t point = wedgePoints.empty() ? vertex : wedgePoints[vertex];
@@ -95,7 +94,6 @@ std::vector<std::uint32_t> GetBorderOrder(
       order.push_back(point);
     }
   }
-  return order;
 }
 
 void AppendOthers(std::vector<std::uint32_t>& borderOrder, std::size_t points)
@@ -156,7 +154,7 @@ bool Read(vtkMTNumberCode::Reader& side, std::vector<std::uint32_t>& borderOrder
   {
     return false;
   }
-  identities.reserve(shared);
+  identities.clear();
   std::vector<std::uint32_t> before(highs.size(), 0);
   std::size_t at = 0;
   while (identities.size() < shared)

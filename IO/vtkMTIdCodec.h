@@ -19,8 +19,9 @@ namespace vtkMTIdCodec
 {
 /// The points on the border, each once. border: vertices, which may be there more than once; wedgePoints: their points,
 /// or empty when they are the points. All others follow in stream order; AppendOthers puts them there.
-std::vector<std::uint32_t> GetBorderOrder(
-  const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& wedgePoints, std::size_t points);
+/// isMet: memory to work with.
+void GetBorderOrder(const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& wedgePoints,
+  std::size_t points, std::vector<unsigned char>& isMet, std::vector<std::uint32_t>& order);
 void AppendOthers(std::vector<std::uint32_t>& borderOrder, std::size_t points);
 
 /// Of the points that are shared, in any order.

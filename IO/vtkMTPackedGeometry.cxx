@@ -7,6 +7,7 @@
 #include "vtkMTNumberCode.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTPositionCodec.h"
+#include "vtkMTTraversal.h"
 #include "vtkMTTriangleCodec.h"
 
 #include <algorithm>
@@ -36,6 +37,9 @@ struct Record : PackedGeometryRecord
 
 using SideReader = vtkMTNumberCode::Reader;
 using vtkMTNumberCode::Append;
+using vtkMTTriangleCodec::Basis;
+
+constexpr std::size_t Slack = vtkMTRiceCode::Reader::LowSlack;
 
 //------------------------------------------------------------------------------
 // The wedges' points: 0 is the next point that was not met yet, k the k-th last one met.
@@ -51,7 +55,11 @@ void AppendWedges(const std::vector<std::uint32_t>& wedgePoints, std::vector<uns
 
 bool ReadWedges(SideReader& side, const Record& record, std::vector<std::uint32_t>& wedgePoints)
 {
-  wedgePoints.reserve(record.Wedges);
+  wedgePoints.clear();
+  if (record.HasTable == 0)
+  {
+    return true;
+  }
   std::uint32_t next = 0;
   for (std::uint32_t w = 0; w < record.Wedges; ++w)
   {
@@ -67,38 +75,41 @@ bool ReadWedges(SideReader& side, const Record& record, std::vector<std::uint32_
 
 //------------------------------------------------------------------------------
 // The bases of wedges as those of points: a point is met with its first wedge.
-vtkMTPositionCodec::Bases ToPoints(
-  const vtkMTPositionCodec::Bases& ofWedges, const std::vector<std::uint32_t>& wedgePoints)
+const std::vector<Basis>& GetPointBases(vtkMTTraversal& traversal)
 {
-  vtkMTPositionCodec::Bases result;
+  const std::vector<std::uint32_t>& wedgePoints = traversal.WedgePoints;
+  if (wedgePoints.empty())
+  {
+    return traversal.Mesh.Bases;
+  }
   const auto pointOf = [&wedgePoints](std::uint32_t w) { return w == vtkMTTriangleCodec::None ? w : wedgePoints[w]; };
-  for (std::size_t w = 0; w < ofWedges.size(); ++w)
+  std::vector<Basis>& result = traversal.PointBases;
+  result.clear();
+  for (std::size_t w = 0; w < wedgePoints.size(); ++w)
   {
     if (wedgePoints[w] == result.size())
     {
-      result.push_back({ pointOf(ofWedges[w].A), pointOf(ofWedges[w].B), pointOf(ofWedges[w].C) });
+      const Basis& ofWedge = traversal.Mesh.Bases[w];
+      result.push_back({ pointOf(ofWedge.A), pointOf(ofWedge.B), pointOf(ofWedge.C) });
     }
   }
   return result;
 }
 
 // What the decoder will know once it has the triangles.
-struct Known
+void Foresee(const vtkMTPatchOrder& order, vtkMTTraversal& traversal)
 {
-  vtkMTPositionCodec::Bases Bases; // of points
-  std::vector<std::uint32_t> BorderOrder;
-
-  explicit Known(const vtkMTPatchOrder& order)
-  {
-    std::vector<vtkMTTriangle> triangles(order.Patch.Triangles.size());
-    std::vector<std::uint32_t> border;
-    vtkMTTriangleCodec::Decode(order.Steps.data(), order.Steps.size(), order.Names.data(), order.Names.size(),
-      order.Patch.GetNumberOfWedges(), triangles, this->Bases, border);
-    this->Bases = order.WedgePoints.empty() ? this->Bases : ToPoints(this->Bases, order.WedgePoints);
-    this->BorderOrder = vtkMTIdCodec::GetBorderOrder(border, order.WedgePoints, order.PointOfStream.size());
-    vtkMTIdCodec::AppendOthers(this->BorderOrder, order.PointOfStream.size());
-  }
-};
+  std::vector<unsigned char> steps = order.Steps;
+  steps.resize(steps.size() + Slack, 0);
+  vtkMTTriangleCodec::Decode(steps.data(), order.Steps.size(), order.Names.data(), order.Names.size(),
+    order.Patch.Triangles.size(), order.Patch.GetNumberOfWedges(), traversal.Mesh);
+  traversal.WedgePoints = order.WedgePoints;
+  traversal.WedgeOfStream = vtkMTPatchOrder::PlaceWedges(order.WedgePoints, order.PointOfStream);
+  vtkMTIdCodec::GetBorderOrder(
+    traversal.Mesh.Border, order.WedgePoints, order.PointOfStream.size(), traversal.IsMarked, traversal.BorderOrder);
+  vtkMTIdCodec::AppendOthers(traversal.BorderOrder, order.PointOfStream.size());
+  traversal.IsKnown = true;
+}
 
 std::vector<vtkMTIdCodec::Identity> GetIdentities(
   const vtkMTPatchOrder& order, const std::vector<std::uint32_t>& borderOrder)
@@ -128,98 +139,117 @@ vtkMTPoint GetCorner(const std::vector<vtkMTPoint>& points)
 
 bool IsRecordRight(const Record& record, std::uint64_t size, std::string& error)
 {
-  // Eight triangles take a byte of the side stream at least, 32 points three.
+  // Eight triangles take a byte of the side stream at least, 64 points three.
   const bool isPossible = record.Shift <= vtkMTPositionCodec::MaximumShift && record.HasTable <= 1 &&
-    record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
+    record.IsNear <= 1 && record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
     record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(PackedGeometryRecord) &&
     vtkMTByteCodec::IsPlausible(record.StoredSideSize, record.SideSize) && record.Triangles / 8 <= record.SideSize &&
-    record.Points / 16 <= record.SideSize && (record.HasTable == 0 || record.Wedges <= record.SideSize);
+    record.Points / 32 <= record.SideSize && (record.HasTable == 0 || record.Wedges <= record.SideSize);
   error = isPossible ? error : "has an impossible header";
   return isPossible;
 }
 
-// What the side stream says, in stream order.
-struct Side
+bool ReadTriangles(SideReader& side, const Record& record, vtkMTTriangleCodec::Decoded& mesh)
 {
-  std::vector<vtkMTTriangle> Triangles;
-  vtkMTPositionCodec::Bases Bases; // of wedges
-  std::vector<std::uint32_t> WedgePoints;
-  std::vector<vtkMTIdCodec::Identity> Identities;
-  vtkMTPositionCodec::Source Positions{};
+  std::uint64_t stepsSize = 0;
+  std::uint64_t namesSize = 0;
+  const unsigned char* steps = side.Get(stepsSize) ? side.GetBytes(stepsSize) : nullptr;
+  const unsigned char* names = steps && side.Get(namesSize) ? side.GetBytes(namesSize) : nullptr;
+  return names &&
+    vtkMTTriangleCodec::Decode(steps, static_cast<std::size_t>(stepsSize), names, static_cast<std::size_t>(namesSize),
+      record.Triangles, record.Wedges, mesh);
+}
 
-  // bits: what follows the side stream.
-  bool Read(SideReader& side, const Record& record, const unsigned char* bits, std::uint64_t bitsSize)
+bool ReadIdentities(SideReader& side, const Record& record, vtkMTTraversal& traversal)
+{
+  vtkMTIdCodec::GetBorderOrder(
+    traversal.Mesh.Border, traversal.WedgePoints, record.Points, traversal.IsMarked, traversal.BorderOrder);
+  return vtkMTIdCodec::Read(side, traversal.BorderOrder, record.Points, record.SharedPoints, traversal.Identities);
+}
+
+// bits: what follows the side stream.
+bool ReadPositions(
+  SideReader& side, const Record& record, const unsigned char* bits, std::size_t bitsSize, vtkMTTraversal& traversal)
+{
+  vtkMTPositionCodec::Source source{};
+  source.Shift = record.Shift;
+  source.IsNear = record.IsNear != 0;
+  source.Coarse = side.GetBytes(record.Shift > 0 ? (std::uint64_t(record.Points) + 7) / 8 : 0);
+  source.Parameters = source.Coarse ? side.GetBytes(3 * vtkMTRiceCode::GetNumberOfBlocks(record.Points)) : nullptr;
+  std::uint64_t xSize = 0;
+  std::uint64_t ySize = 0;
+  if (!source.Parameters || !side.Get(xSize) || !side.Get(ySize) || !side.IsAtEnd() || xSize > bitsSize ||
+    ySize > bitsSize)
   {
-    std::uint64_t stepsSize = 0;
-    std::uint64_t namesSize = 0;
-    const unsigned char* steps = side.Get(stepsSize) ? side.GetBytes(stepsSize) : nullptr;
-    const unsigned char* names = steps && side.Get(namesSize) ? side.GetBytes(namesSize) : nullptr;
-    std::vector<std::uint32_t> border;
-    this->Triangles.resize(record.Triangles);
-    if (!names ||
-      !vtkMTTriangleCodec::Decode(steps, static_cast<std::size_t>(stepsSize), names,
-        static_cast<std::size_t>(namesSize), record.Wedges, this->Triangles, this->Bases, border) ||
-      (record.HasTable != 0 && !ReadWedges(side, record, this->WedgePoints)))
-    {
-      return false;
-    }
-    std::vector<std::uint32_t> order = vtkMTIdCodec::GetBorderOrder(border, this->WedgePoints, record.Points);
-    if (!vtkMTIdCodec::Read(side, order, record.Points, record.SharedPoints, this->Identities))
-    {
-      return false;
-    }
-    this->Positions.Shift = record.Shift;
-    this->Positions.Coarse = side.GetBytes(record.Shift > 0 ? (std::uint64_t(record.Points) + 7) / 8 : 0);
-    this->Positions.Parameters = side.GetBytes(vtkMTPositionCodec::GetNumberOfBlocks(record.Points));
-    std::uint64_t xSize = 0;
-    std::uint64_t ySize = 0;
-    if (!this->Positions.Coarse || !this->Positions.Parameters || !side.Get(xSize) || !side.Get(ySize) ||
-      !side.IsAtEnd() || xSize > bitsSize || ySize > bitsSize - xSize)
-    {
-      return false;
-    }
-    this->Positions.BitsSize = { static_cast<std::size_t>(xSize), static_cast<std::size_t>(ySize),
-      static_cast<std::size_t>(bitsSize - xSize - ySize) };
-    this->Positions.Bits = { bits, bits + xSize, bits + xSize + ySize };
-    return true;
+    return false;
   }
-};
+  source.UnarySizes = { static_cast<std::size_t>(xSize), static_cast<std::size_t>(ySize) };
+  source.Bits = bits;
+  source.BitsSize = bitsSize;
+  const vtkMTPoint corner{ record.Corner[0], record.Corner[1], record.Corner[2] };
+  return vtkMTPositionCodec::Decode(source, GetPointBases(traversal), corner, record.Points, traversal.Places);
+}
 
-void Place(Side& side, const std::vector<vtkMTPoint>& streamPoints, vtkMTPatch& patch)
+//------------------------------------------------------------------------------
+// From stream order to the patch. Shared points come first, then the others, both in stream order.
+void PlacePoints(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& patch)
 {
-  std::vector<unsigned char> isShared(streamPoints.size(), 0);
-  for (const vtkMTIdCodec::Identity& identity : side.Identities)
+  std::vector<unsigned char>& isShared = traversal.IsMarked;
+  isShared.assign(record.Points, 0);
+  for (const vtkMTIdCodec::Identity& identity : traversal.Identities)
   {
     isShared[identity.Point] = 1;
   }
-  const std::vector<std::uint32_t> pointOfStream = vtkMTPatchOrder::PlacePoints(isShared);
-  const std::vector<std::uint32_t> wedgeOfStream = vtkMTPatchOrder::PlaceWedges(side.WedgePoints, pointOfStream);
-  patch.Ids.resize(side.Identities.size());
-  for (const vtkMTIdCodec::Identity& identity : side.Identities)
+  std::vector<std::uint32_t>& place = traversal.PointOfStream;
+  place.resize(record.Points);
+  patch.Points.resize(record.Points);
+  std::uint32_t shared = 0;
+  for (std::uint32_t i = 0; i < record.Points; ++i)
   {
-    patch.Ids[pointOfStream[identity.Point]] = identity.Id;
+    // Without a branch, as nobody can guess which way it goes.
+    const std::uint32_t mask = 0u - isShared[i];
+    const std::uint32_t to = (shared & mask) | ((record.SharedPoints + i - shared) & ~mask);
+    shared += isShared[i];
+    place[i] = to;
+    std::memcpy(patch.Points[to].data(), &traversal.Places[i + std::size_t(1)], sizeof(vtkMTPoint));
   }
-  patch.Points.resize(streamPoints.size());
-  for (std::size_t i = 0; i < streamPoints.size(); ++i)
+  patch.Ids.resize(record.SharedPoints);
+  for (const vtkMTIdCodec::Identity& identity : traversal.Identities)
   {
-    patch.Points[pointOfStream[i]] = streamPoints[i];
+    patch.Ids[place[identity.Point]] = identity.Id;
   }
-  patch.WedgePoints.resize(side.WedgePoints.size());
-  for (std::size_t w = 0; w < side.WedgePoints.size(); ++w)
+}
+
+void Place(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& patch)
+{
+  PlacePoints(record, traversal, patch);
+  if (record.HasTable == 0)
   {
-    patch.WedgePoints[wedgeOfStream[w]] = pointOfStream[side.WedgePoints[w]];
+    traversal.WedgeOfStream.swap(traversal.PointOfStream);
   }
-  for (vtkMTTriangle& t : side.Triangles)
+  else
   {
-    t = { wedgeOfStream[t[0]], wedgeOfStream[t[1]], wedgeOfStream[t[2]] };
+    traversal.WedgeOfStream = vtkMTPatchOrder::PlaceWedges(traversal.WedgePoints, traversal.PointOfStream);
+    patch.WedgePoints.resize(record.Wedges);
+    for (std::uint32_t w = 0; w < record.Wedges; ++w)
+    {
+      patch.WedgePoints[traversal.WedgeOfStream[w]] = traversal.PointOfStream[traversal.WedgePoints[w]];
+    }
   }
-  patch.Triangles = std::move(side.Triangles);
+  const std::uint32_t* const place = traversal.WedgeOfStream.data();
+  patch.Triangles.resize(record.Triangles);
+  for (std::uint32_t t = 0; t < record.Triangles; ++t)
+  {
+    const std::array<std::uint32_t, 4>& triangle = traversal.Mesh.Triangles[t];
+    patch.Triangles[t] = { place[triangle[0]], place[triangle[1]], place[triangle[2]] };
+  }
 }
 }
 
 namespace vtkMTPackedGeometry
 {
-bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes)
+bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes,
+  vtkMTTraversal& traversal)
 {
   std::vector<vtkMTPoint> streamPoints(order.PointOfStream.size());
   for (std::size_t i = 0; i < streamPoints.size(); ++i)
@@ -227,8 +257,8 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
     streamPoints[i] = order.Patch.Points[order.PointOfStream[i]];
   }
   const vtkMTPoint corner = GetCorner(streamPoints);
-  const Known known(order);
-  const vtkMTPositionCodec::Packed packed = vtkMTPositionCodec::Encode(streamPoints, known.Bases, corner);
+  Foresee(order, traversal);
+  const vtkMTPositionCodec::Packed packed = vtkMTPositionCodec::Encode(streamPoints, GetPointBases(traversal), corner);
 
   std::vector<unsigned char> side;
   Append(side, order.Steps.size());
@@ -236,11 +266,14 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
   Append(side, order.Names.size());
   side.insert(side.end(), order.Names.begin(), order.Names.end());
   AppendWedges(order.WedgePoints, side);
-  vtkMTIdCodec::Append(GetIdentities(order, known.BorderOrder), known.BorderOrder, side);
+  vtkMTIdCodec::Append(GetIdentities(order, traversal.BorderOrder), traversal.BorderOrder, side);
   side.insert(side.end(), packed.Coarse.begin(), packed.Coarse.end());
-  side.insert(side.end(), packed.Parameters.begin(), packed.Parameters.end());
-  Append(side, packed.Bits[0].size());
-  Append(side, packed.Bits[1].size());
+  for (const vtkMTRiceCode::Coded& axis : packed.Axes)
+  {
+    side.insert(side.end(), axis.Parameters.begin(), axis.Parameters.end());
+  }
+  Append(side, packed.Axes[0].Unary.size());
+  Append(side, packed.Axes[1].Unary.size());
 
   const std::size_t begin = bytes.size();
   PackedGeometryRecord record{};
@@ -252,20 +285,26 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
   const std::size_t stored = bytes.size() - begin - sizeof(record);
   std::memcpy(record.Corner, corner.data(), sizeof(record.Corner));
   record.Shift = static_cast<std::uint8_t>(packed.Shift);
+  record.IsNear = packed.IsNear ? 1 : 0;
   record.HasTable = order.Patch.WedgePoints.empty() ? 0 : 1;
   record.SideSize = static_cast<std::uint32_t>(side.size());
   record.StoredSideSize = static_cast<std::uint32_t>(stored);
   std::memcpy(bytes.data() + begin, &record, sizeof(record));
-  for (const std::vector<unsigned char>& bits : packed.Bits)
+  for (const vtkMTRiceCode::Coded& axis : packed.Axes)
   {
-    bytes.insert(bytes.end(), bits.begin(), bits.end());
+    bytes.insert(bytes.end(), axis.Low.begin(), axis.Low.end());
+  }
+  for (const vtkMTRiceCode::Coded& axis : packed.Axes)
+  {
+    bytes.insert(bytes.end(), axis.Unary.begin(), axis.Unary.end());
   }
   return vtkMTByteCodec::IsPlausible(stored, side.size());
 }
 
 bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
-  vtkMTPatch& patch, std::string& error)
+  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error)
 {
+  traversal.IsKnown = false;
   PackedGeometryRecord stored;
   if (size < sizeof(stored))
   {
@@ -278,28 +317,23 @@ bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64
   {
     return false;
   }
-  const std::uint64_t before = sizeof(stored) + record.StoredSideSize;
-  std::vector<unsigned char> bytes(record.SideSize);
-  Side side;
-  SideReader reader(bytes.data(), bytes.size());
-  if (!vtkMTByteCodec::Decompress(codec, data + sizeof(stored), record.StoredSideSize, bytes.data(), bytes.size()) ||
-    !side.Read(reader, record, data + before, size - before))
+  // The side stream, then the bits, with room behind each for loads of a whole word.
+  const std::size_t before = sizeof(stored) + record.StoredSideSize;
+  const std::size_t bitsSize = static_cast<std::size_t>(size) - before;
+  std::vector<unsigned char>& bytes = traversal.Bytes;
+  bytes.resize(record.SideSize + bitsSize + 2 * Slack);
+  unsigned char* const bits = bytes.data() + record.SideSize + Slack;
+  std::memcpy(bits, data + before, bitsSize);
+  SideReader side(bytes.data(), record.SideSize);
+  if (!vtkMTByteCodec::Decompress(codec, data + sizeof(stored), record.StoredSideSize, bytes.data(), record.SideSize) ||
+    !ReadTriangles(side, record, traversal.Mesh) || !ReadWedges(side, record, traversal.WedgePoints) ||
+    !ReadIdentities(side, record, traversal) || !ReadPositions(side, record, bits, bitsSize, traversal))
   {
     error = "cannot be decompressed";
     return false;
   }
-  std::vector<vtkMTPoint> points(record.Points);
-  const vtkMTPoint corner{ record.Corner[0], record.Corner[1], record.Corner[2] };
-  if (!side.WedgePoints.empty())
-  {
-    side.Bases = ToPoints(side.Bases, side.WedgePoints);
-  }
-  if (!vtkMTPositionCodec::Decode(side.Positions, side.Bases, corner, points))
-  {
-    error = "has positions of an impossible length";
-    return false;
-  }
-  Place(side, points, patch);
+  Place(record, traversal, patch);
+  traversal.IsKnown = true;
   return true;
 }
 }

@@ -18,14 +18,17 @@
 
 struct vtkMTArc;
 struct vtkMTPatchOrder;
+struct vtkMTTraversal;
 
 namespace vtkMTPackedGeometry
 {
-/// Appends a consistent patch's geometry. False when it is too large for the codec.
-bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes);
+/// Both say how the triangles were met. Appends a consistent patch's geometry. False when it is too large for the
+/// codec.
+bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes,
+  vtkMTTraversal& traversal);
 
 bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
-  vtkMTPatch& patch, std::string& error);
+  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "vtkMTPackedGeometry.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTRawGeometry.h"
+#include "vtkMTTraversal.h"
 
 #include <limits>
 
@@ -66,18 +67,27 @@ bool CloseSection(Codec codec, std::size_t begin, std::vector<unsigned char>& by
   return true;
 }
 
-// An array that does not become smaller is stored as it is.
-bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, Codec codec,
+bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTTraversal& traversal, Codec codec,
+  std::vector<unsigned char>& bytes)
+{
+  if (vtkMTColumnCodec::IsDirection(array))
+  {
+    vtkMTColumnCodec::PackDirections(column, traversal, bytes);
+    return true;
+  }
+  const std::size_t begin = bytes.size();
+  const std::vector<unsigned char> packed = vtkMTColumnCodec::Pack(array, column, traversal);
+  return vtkMTByteCodec::Compress(codec, packed.data(), packed.size(), bytes) &&
+    vtkMTByteCodec::IsPlausible(bytes.size() - begin, packed.size());
+}
+
+// An array that does not become smaller is stored as it is, and so is one without neighbours.
+bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTTraversal& traversal, Codec codec,
   std::vector<unsigned char>& bytes, std::vector<Section>& sections)
 {
   const std::size_t begin = bytes.size();
-  bool isSmaller = false;
-  if (codec != vtkMTFileFormat::Raw && !column.empty())
-  {
-    const std::vector<unsigned char> packed = vtkMTColumnCodec::Pack(array, column);
-    isSmaller = vtkMTByteCodec::Compress(codec, packed.data(), packed.size(), bytes) &&
-      bytes.size() - begin < column.size() && vtkMTByteCodec::IsPlausible(bytes.size() - begin, packed.size());
-  }
+  const bool isSmaller = traversal.IsKnown && !column.empty() && PackColumn(array, column, traversal, codec, bytes) &&
+    bytes.size() - begin < column.size();
   if (!isSmaller)
   {
     bytes.resize(begin);
@@ -124,9 +134,11 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
     return false;
   }
   const vtkMTPatchOrder order = vtkMTPatchOrder::Make(patch);
+  vtkMTTraversal traversal;
   Codec used = codec;
-  if (codec == vtkMTFileFormat::Raw || !vtkMTPackedGeometry::Encode(order, codec, bytes))
+  if (codec == vtkMTFileFormat::Raw || !vtkMTPackedGeometry::Encode(order, codec, bytes, traversal))
   {
+    traversal.IsKnown = false;
     bytes.clear();
     used = vtkMTFileFormat::Raw;
     vtkMTRawGeometry::Encode(order.Patch, bytes);
@@ -138,7 +150,7 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
   {
     const bool ofPoints = arrays[i].Association == vtkMTArrayInfo::Point;
     const std::vector<vtkMTColumn>& columns = ofPoints ? order.Patch.PointColumns : order.Patch.CellColumns;
-    fits = AppendColumn(arrays[i], columns[next[ofPoints ? 0 : 1]++], codec, bytes, sections);
+    fits = AppendColumn(arrays[i], columns[next[ofPoints ? 0 : 1]++], traversal, codec, bytes, sections);
     error = fits ? error : "has more than 4 GiB of array \"" + arrays[i].Name + "\"";
   }
   return fits;
@@ -155,16 +167,17 @@ bool Check(const SectionRecord& section, const unsigned char* padded, std::strin
   return true;
 }
 
-bool DecodeGeometry(
-  const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc, vtkMTPatch& patch, std::string& error)
+bool DecodeGeometry(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
+  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error)
 {
-  return section.Codec == vtkMTFileFormat::Raw
-    ? vtkMTRawGeometry::Decode(data, section.StoredSize, arc, patch, error)
-    : vtkMTPackedGeometry::Decode(static_cast<Codec>(section.Codec), data, section.StoredSize, arc, patch, error);
+  traversal.IsKnown = false;
+  return section.Codec == vtkMTFileFormat::Raw ? vtkMTRawGeometry::Decode(data, section.StoredSize, arc, patch, error)
+                                               : vtkMTPackedGeometry::Decode(static_cast<Codec>(section.Codec), data,
+                                                   section.StoredSize, arc, traversal, patch, error);
 }
 
 bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  const vtkMTArrayInfo& array, vtkMTColumn& column, std::string& error)
+  const vtkMTArrayInfo& array, const vtkMTTraversal& traversal, vtkMTColumn& column, std::string& error)
 {
   const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles;
   if (array.Role == vtkMTArrayInfo::ExactPoints && section.StoredSize == 0)
@@ -183,6 +196,18 @@ bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const
     column.assign(data, data + section.StoredSize);
     return true;
   }
+  if (!traversal.IsKnown)
+  {
+    error = "is packed where the geometry is not";
+    return false;
+  }
+  if (vtkMTColumnCodec::IsDirection(array))
+  {
+    const bool done =
+      vtkMTColumnCodec::UnpackDirections(data, section.StoredSize, static_cast<std::size_t>(tuples), traversal, column);
+    error = done ? error : "has directions of an impossible length";
+    return done;
+  }
   const std::uint64_t size = vtkMTColumnCodec::GetPackedSize(array, tuples);
   if (!vtkMTByteCodec::IsPlausible(section.StoredSize, size))
   {
@@ -196,7 +221,7 @@ bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const
     error = "cannot be decompressed";
     return false;
   }
-  vtkMTColumnCodec::Unpack(array, packed, static_cast<std::size_t>(tuples), column);
+  vtkMTColumnCodec::Unpack(array, packed, static_cast<std::size_t>(tuples), traversal, column);
   return true;
 }
 }

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+struct vtkMTTraversal;
+
 namespace vtkMTPatchCodec
 {
 /**
@@ -23,14 +25,14 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
 /// Whether a section's bytes (with padding) are as they were written, and of a codec that is known here.
 bool Check(const vtkMTFileFormat::SectionRecord& section, const unsigned char* padded, std::string& error);
 
-/// The geometry of an arc's patch from its section's bytes. Nothing is allocated before the sizes have been found
-/// right.
+/// The geometry of an arc's patch from its section's bytes, and how its triangles were met. Nothing is allocated before
+/// the sizes have been found right.
 bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  vtkMTPatch& patch, std::string& error);
+  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
 
-/// An array's column from its section's bytes.
+/// An array's column from its section's bytes, after the geometry of the same patch.
 bool DecodeColumn(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  const vtkMTArrayInfo& array, vtkMTColumn& column, std::string& error);
+  const vtkMTArrayInfo& array, const vtkMTTraversal& traversal, vtkMTColumn& column, std::string& error);
 }
 
 #endif

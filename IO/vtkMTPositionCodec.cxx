@@ -9,38 +9,18 @@
 
 namespace
 {
-using vtkMTNumberCode::FromZigzag;
 using vtkMTNumberCode::ToZigzag;
+using vtkMTTriangleCodec::Basis;
 using vtkMTTriangleCodec::None;
+
+// A point with a fourth coordinate that nobody asks for, so that a point is one register.
+using Wide = vtkMTPositionCodec::Wide;
 
 // Rounded to a multiple of 2^shift and counted in these, as signed numbers are shifted.
 std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
 {
   return static_cast<std::uint32_t>(static_cast<std::int32_t>(x + (1u << (shift - 1))) >> shift);
 }
-
-// Three known points; the next one is expected at A + B - C.
-struct Expectation
-{
-  const vtkMTPoint* A;
-  const vtkMTPoint* B;
-  const vtkMTPoint* C;
-
-  Expectation(const std::vector<vtkMTPoint>& points, const vtkMTPositionCodec::Bases& bases, std::size_t i,
-    const vtkMTPoint& corner)
-  {
-    const bool isBased = i < bases.size() && bases[i].A != None;
-    this->A = isBased ? &points[bases[i].A] : (i > 0 ? &points[i - 1] : &corner);
-    const bool hasThree = isBased && bases[i].C != None;
-    this->B = hasThree ? &points[bases[i].B] : this->A;
-    this->C = hasThree ? &points[bases[i].C] : this->A;
-  }
-  std::uint32_t Get(std::size_t axis) const
-  {
-    return static_cast<std::uint32_t>((*this->A)[axis]) + static_cast<std::uint32_t>((*this->B)[axis]) -
-      static_cast<std::uint32_t>((*this->C)[axis]);
-  }
-};
 
 // Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way,
 // as nobody can guess which.
@@ -56,7 +36,7 @@ struct Rounding
     , Kept(~std::uint32_t(0) << this->Shift)
   {
   }
-  std::uint32_t Apply(std::uint32_t expected, std::uint32_t difference) const
+  Wide Apply(const Wide& expected, const Wide& difference) const
   {
     return ((expected + this->Half) & this->Kept) + (difference << this->Shift);
   }
@@ -98,219 +78,181 @@ bool GetBit(const unsigned char* bits, std::size_t i)
   return (bits[i / 8] >> (i % 8) & 1) != 0;
 }
 
-class BitWriter
+// Three points, counted from one: 0 is the corner. The next one is expected at A + B - C.
+Basis GetBasis(const std::vector<Basis>& bases, std::size_t i)
 {
-public:
-  explicit BitWriter(std::vector<unsigned char>& bytes)
-    : Bytes(bytes)
+  const auto before = static_cast<std::uint32_t>(i);
+  if (i >= bases.size() || bases[i].A == None)
   {
+    return { before, before, before };
   }
-  void Put(std::uint64_t value, unsigned width)
-  {
-    this->Pending |= value << this->Count;
-    for (this->Count += width; this->Count >= 8; this->Count -= 8)
-    {
-      this->Bytes.push_back(static_cast<unsigned char>(this->Pending));
-      this->Pending >>= 8;
-    }
-  }
-  void PutCode(std::uint32_t code, unsigned parameter)
-  {
-    const unsigned ones = static_cast<unsigned>(std::uint64_t(code) >> parameter);
-    this->Put((std::uint64_t(1) << ones) - 1, ones + 1);
-    this->Put(code & ((std::uint64_t(1) << parameter) - 1), parameter);
-  }
-  void Finish()
-  {
-    if (this->Count > 0)
-    {
-      this->Bytes.push_back(static_cast<unsigned char>(this->Pending));
-    }
-  }
-
-private:
-  std::vector<unsigned char>& Bytes;
-  std::uint64_t Pending = 0;
-  unsigned Count = 0;
-};
-
-// With which the codes take the fewest bits.
-unsigned ChooseParameter(const std::uint32_t* codes, std::size_t count)
-{
-  const std::uint32_t largest = *std::max_element(codes, codes + count);
-  unsigned best = 0;
-  std::uint64_t fewest = ~std::uint64_t(0);
-  for (unsigned k = 0; k <= 32; ++k)
-  {
-    if (std::uint64_t(largest) >> k > vtkMTPositionCodec::MostOnes)
-    {
-      continue;
-    }
-    std::uint64_t bits = std::uint64_t(k) * count;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      bits += std::uint64_t(codes[i]) >> k;
-    }
-    best = bits < fewest ? k : best;
-    fewest = std::min(bits, fewest);
-  }
-  return best;
+  const Basis& basis = bases[i];
+  return basis.C == None ? Basis{ basis.A + 1, basis.A + 1, basis.A + 1 }
+                         : Basis{ basis.A + 1, basis.B + 1, basis.C + 1 };
 }
 
-class CodeReader
+// near: all bits where points are expected nearer to the gate, by a quarter of what lies between C and the far corner
+// of the parallelogram.
+Wide Expect(const Wide* points, const Basis& basis, const Wide& near)
 {
-public:
-  CodeReader(const unsigned char* bytes, std::size_t size)
-    : Bytes(bytes)
-    , Size(size)
-  {
-  }
-  // Whether so many codes can be loaded without a look at the end, however long they are.
-  bool HasCodes(std::size_t count) const { return this->Position / 8 + 8 * count + 8 <= this->Size; }
-  std::uint32_t GetInside(unsigned parameter)
-  {
-    std::uint64_t word;
-    std::memcpy(&word, this->Bytes + this->Position / 8, sizeof(word));
-    return this->Cut(word, parameter);
-  }
-  // Behind the end there are zeros; IsAtEnd tells.
-  std::uint32_t Get(unsigned parameter)
-  {
-    const std::size_t byte = this->Position / 8;
-    std::uint64_t word = 0;
-    if (byte < this->Size)
-    {
-      std::memcpy(&word, this->Bytes + byte, std::min(sizeof(word), this->Size - byte));
-    }
-    return this->Cut(word, parameter);
-  }
-  // Whether so many bits were there, and nothing but the zeros that fill the last byte are left.
-  bool IsAtEnd() const
-  {
-    return this->Size == (this->Position + 7) / 8 && !this->HasTooMany &&
-      (this->Position % 8 == 0 || this->Bytes[this->Size - 1] >> (this->Position % 8) == 0);
-  }
-
-private:
-  // A bit that ends every run of ones.
-  static constexpr std::uint64_t TooManyOnes = std::uint64_t(1) << (vtkMTPositionCodec::MostOnes + 1);
-
-  std::uint32_t Cut(std::uint64_t word, unsigned parameter)
-  {
-    word >>= this->Position % 8;
-    const auto ones = static_cast<unsigned>(__builtin_ctzll(~word | TooManyOnes));
-    const std::uint64_t low = (word >> (ones + 1)) & ((std::uint64_t(1) << parameter) - 1);
-    this->HasTooMany |= ones > vtkMTPositionCodec::MostOnes;
-    this->Position += ones + 1 + parameter;
-    return static_cast<std::uint32_t>((std::uint64_t(ones) << parameter) | low);
-  }
-
-  const unsigned char* Bytes;
-  std::size_t Size;
-  std::size_t Position = 0;
-  bool HasTooMany = false;
-};
-
-using Codes = std::array<std::array<std::uint32_t, 3>, vtkMTPositionCodec::BlockSize>;
-
-// The three lists side by side, as no code is known to begin before the one before it is read.
-void ReadBlock(
-  CodeReader (&readers)[3], const unsigned char* parameters, std::size_t blocks, std::size_t count, Codes& codes)
-{
-  CodeReader x = readers[0];
-  CodeReader y = readers[1];
-  CodeReader z = readers[2];
-  const unsigned k[3] = { parameters[0], parameters[blocks], parameters[2 * blocks] };
-  if (x.HasCodes(count) && y.HasCodes(count) && z.HasCodes(count))
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      codes[i] = { x.GetInside(k[0]), y.GetInside(k[1]), z.GetInside(k[2]) };
-    }
-  }
-  else
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      codes[i] = { x.Get(k[0]), y.Get(k[1]), z.Get(k[2]) };
-    }
-  }
-  readers[0] = x;
-  readers[1] = y;
-  readers[2] = z;
-}
+  using SignedWide __attribute__((vector_size(16))) = std::int32_t;
+  const Wide& c = points[basis.C];
+  const Wide far = points[basis.A] + points[basis.B] - c;
+  const auto quarter = reinterpret_cast<SignedWide>(far - c) >> 2;
+  return far - (reinterpret_cast<Wide>(quarter) & near);
 }
 
-namespace vtkMTPositionCodec
+Wide GetNear(bool isNear)
 {
-Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const vtkMTPoint& corner)
+  return Wide{} - (isNear ? 1u : 0u);
+}
+
+Wide FromZigzags(const Wide& codes)
 {
-  Packed packed;
-  packed.Shift = ChooseShift(points);
-  packed.Coarse.assign(packed.Shift > 0 ? (points.size() + 7) / 8 : 0, 0);
-  std::array<std::vector<std::uint32_t>, 3> codes;
+  return (codes >> 1) ^ (0 - (codes & 1));
+}
+
+Wide Widen(const vtkMTPoint& p)
+{
+  return Wide{ static_cast<std::uint32_t>(p[0]), static_cast<std::uint32_t>(p[1]), static_cast<std::uint32_t>(p[2]),
+    0 };
+}
+
+using Readers = std::array<vtkMTRiceCode::Reader, 3>;
+
+// One for each axis, with the codes of block after block.
+bool MakeReaders(const vtkMTPositionCodec::Source& source, std::size_t points, Readers& readers)
+{
+  const std::size_t blocks = vtkMTRiceCode::GetNumberOfBlocks(points);
+  std::array<std::size_t, 3> lowSizes{};
+  for (std::size_t i = 0; i < 3 * blocks; ++i)
+  {
+    if (source.Parameters[i] > vtkMTRiceCode::MostBits)
+    {
+      return false;
+    }
+    const std::size_t count = std::min(vtkMTRiceCode::BlockSize, points - i % blocks * vtkMTRiceCode::BlockSize);
+    lowSizes[i / blocks] += vtkMTRiceCode::GetLowSize(count, source.Parameters[i]);
+  }
+  const std::size_t before = lowSizes[0] + lowSizes[1] + lowSizes[2] + source.UnarySizes[0] + source.UnarySizes[1];
+  if (source.UnarySizes[0] > source.BitsSize || source.UnarySizes[1] > source.BitsSize || before > source.BitsSize)
+  {
+    return false;
+  }
+  const std::size_t unarySizes[3] = { source.UnarySizes[0], source.UnarySizes[1], source.BitsSize - before };
+  const unsigned char* low = source.Bits;
+  const unsigned char* unary = source.Bits + lowSizes[0] + lowSizes[1] + lowSizes[2];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    readers[axis] = vtkMTRiceCode::Reader(low, unary, unarySizes[axis]);
+    low += lowSizes[axis];
+    unary += unarySizes[axis];
+  }
+  return true;
+}
+
+using Codes = std::array<std::vector<std::uint32_t>, 3>;
+
+Codes GetCodes(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& bases, const vtkMTPoint& corner,
+  const vtkMTPositionCodec::Packed& packed)
+{
+  const Wide near = GetNear(packed.IsNear);
+  std::vector<Wide> places(points.size() + 1);
+  places[0] = Widen(corner);
+  Codes codes;
   for (auto& axis : codes)
   {
     axis.resize(points.size());
   }
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const Expectation expected(points, bases, i, corner);
-    const bool isCoarse = packed.Shift > 0 && CountZeros(points[i]) >= packed.Shift;
-    if (isCoarse)
-    {
-      packed.Coarse[i / 8] |= static_cast<unsigned char>(1u << (i % 8));
-    }
-    for (int axis = 0; axis < 3; ++axis)
+    const Wide expected = Expect(places.data(), GetBasis(bases, i), near);
+    const bool isCoarse = packed.Shift > 0 && GetBit(packed.Coarse.data(), i);
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
       codes[axis][i] = ToZigzag(isCoarse
-          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected.Get(axis), packed.Shift)
-          : x - expected.Get(axis));
+          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
+          : x - expected[axis]);
+    }
+    places[i + 1] = Widen(points[i]);
+  }
+  return codes;
+}
+
+// That the codes have above their leading zeros: how long Rice codes are, but for a constant.
+std::uint64_t GetBits(const Codes& codes)
+{
+  std::uint64_t bits = 0;
+  for (const auto& axis : codes)
+  {
+    for (const std::uint32_t code : axis)
+    {
+      bits += 32u - static_cast<unsigned>(__builtin_clz(code | 1u));
     }
   }
+  return bits;
+}
+}
+
+namespace vtkMTPositionCodec
+{
+Packed Encode(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& bases, const vtkMTPoint& corner)
+{
+  Packed packed;
+  packed.Shift = ChooseShift(points);
+  packed.Coarse.assign(packed.Shift > 0 ? (points.size() + 7) / 8 : 0, 0);
+  for (std::size_t i = 0; i < points.size() && packed.Shift > 0; ++i)
+  {
+    packed.Coarse[i / 8] |= static_cast<unsigned char>((CountZeros(points[i]) >= packed.Shift ? 1u : 0u) << (i % 8));
+  }
+  Codes codes = GetCodes(points, bases, corner, packed);
+  packed.IsNear = true;
+  Codes nearCodes = GetCodes(points, bases, corner, packed);
+  packed.IsNear = GetBits(nearCodes) < GetBits(codes);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    BitWriter writer(packed.Bits[axis]);
-    for (std::size_t begin = 0; begin < points.size(); begin += BlockSize)
-    {
-      const std::size_t count = std::min(BlockSize, points.size() - begin);
-      const unsigned parameter = ChooseParameter(codes[axis].data() + begin, count);
-      packed.Parameters.push_back(static_cast<unsigned char>(parameter));
-      for (std::size_t i = begin; i < begin + count; ++i)
-      {
-        writer.PutCode(codes[axis][i], parameter);
-      }
-    }
-    writer.Finish();
+    packed.Axes[axis] = vtkMTRiceCode::Encode(packed.IsNear ? nearCodes[axis] : codes[axis]);
   }
   return packed;
 }
 
-bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, std::vector<vtkMTPoint>& points)
+bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPoint& corner, std::size_t points,
+  std::vector<Wide>& places)
 {
-  const std::size_t blocks = GetNumberOfBlocks(points.size()) / 3;
-  if (std::any_of(source.Parameters, source.Parameters + 3 * blocks, [](unsigned char k) { return k > 32; }))
+  Readers readers;
+  if (!MakeReaders(source, points, readers))
   {
     return false;
   }
-  CodeReader readers[3] = { { source.Bits[0], source.BitsSize[0] }, { source.Bits[1], source.BitsSize[1] },
-    { source.Bits[2], source.BitsSize[2] } };
-  Codes codes;
+  if (places.size() < points + 1)
+  {
+    places.resize(points + 1);
+  }
+  const Wide near = GetNear(source.IsNear);
+  Wide* const out = places.data();
+  out[0] = Widen(corner);
+  alignas(Wide) std::uint32_t codes[vtkMTRiceCode::BlockSize][4] = {};
+  const std::size_t blocks = vtkMTRiceCode::GetNumberOfBlocks(points);
   for (std::size_t block = 0; block < blocks; ++block)
   {
-    const std::size_t begin = block * BlockSize;
-    const std::size_t count = std::min(BlockSize, points.size() - begin);
-    ReadBlock(readers, source.Parameters + block, blocks, count, codes);
+    const std::size_t begin = block * vtkMTRiceCode::BlockSize;
+    const std::size_t count = std::min(vtkMTRiceCode::BlockSize, points - begin);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (!readers[axis].Read(source.Parameters[axis * blocks + block], count, &codes[0][axis], 4))
+      {
+        return false;
+      }
+    }
     for (std::size_t i = begin; i < begin + count; ++i)
     {
-      const Expectation expected(points, bases, i, corner);
-      const Rounding rounding(source.Shift, source.Shift > 0 && GetBit(source.Coarse, i));
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        points[i][axis] =
-          static_cast<std::int32_t>(rounding.Apply(expected.Get(axis), FromZigzag(codes[i - begin][axis])));
-      }
+      Wide code;
+      std::memcpy(&code, codes[i - begin], sizeof(code));
+      const Wide expected = Expect(out, GetBasis(bases, i), near);
+      out[i + 1] = source.Shift == 0
+        ? expected + FromZigzags(code)
+        : Rounding(source.Shift, GetBit(source.Coarse, i)).Apply(expected, FromZigzags(code));
     }
   }
   return readers[0].IsAtEnd() && readers[1].IsAtEnd() && readers[2].IsAtEnd();

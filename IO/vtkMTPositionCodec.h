@@ -3,17 +3,17 @@
  * The points of a patch as differences to what their neighbours let expect. Not installed.
  *
  * A point is expected where it completes a parallelogram with the triangle across the gate at which it is met (Touma
- * and Gotsman, "Triangle mesh compression", 1998). The differences of each axis are Rice codes (Rice and Plaunt,
- * "Adaptive variable-length coding", 1971) in a bit list of its own, with the best parameter for each block of 32: a
- * code of parameter k is its value above the k lowest bits as so many ones and a zero, then these k bits. Where most
- * points of a patch lie on a multiple of
- * a power of two, as the builder leaves them on coarse levels, a bit per point says so and its differences are that
- * much shorter. All arithmetic is modulo 2^32, so every sequence of bytes means some points.
+ * and Gotsman, "Triangle mesh compression", 1998), or, where that suits a patch better because its triangles are as
+ * long as noise is high, three quarters of the way there. The differences of each axis are Rice codes (vtkMTRiceCode).
+ * Where most points of a patch lie on a multiple of a power of two, as the builder leaves them on coarse levels, a bit
+ * per point says so and its differences are that much shorter. All arithmetic is modulo 2^32, so every sequence of
+ * bytes means some points.
  */
 #ifndef vtkMTPositionCodec_h
 #define vtkMTPositionCodec_h
 
 #include "vtkMTPatch.h"
+#include "vtkMTRiceCode.h"
 #include "vtkMTTriangleCodec.h"
 
 #include <array>
@@ -23,42 +23,40 @@
 
 namespace vtkMTPositionCodec
 {
-constexpr std::size_t BlockSize = 32;
 constexpr unsigned MaximumShift = 24;
-
-constexpr unsigned MostOnes = 24; // and 32 bits behind them: a code is in 57 bits, which one unaligned load gives
 
 struct Packed
 {
-  unsigned Shift = 0;                             ///< coarse points are multiples of 2^Shift
-  std::vector<unsigned char> Coarse;              ///< a bit per point, lowest first; empty when Shift is 0
-  std::vector<unsigned char> Parameters;          ///< of each block: x's blocks, y's, z's
-  std::array<std::vector<unsigned char>, 3> Bits; ///< the differences of each axis, zigzag, as Rice codes
+  unsigned Shift = 0;                         ///< coarse points are multiples of 2^Shift
+  bool IsNear = false;                        ///< expected nearer to the gate than the parallelogram ends
+  std::vector<unsigned char> Coarse;          ///< a bit per point, lowest first; empty when Shift is 0
+  std::array<vtkMTRiceCode::Coded, 3> Axes{}; ///< the differences of each axis, zigzag
 };
 
-inline std::size_t GetNumberOfBlocks(std::size_t points)
-{
-  return 3 * ((points + BlockSize - 1) / BlockSize);
-}
-
-using Bases = std::vector<vtkMTTriangleCodec::Basis>;
+/// x, y, z and a number that is not looked at: one register (an extension of GCC and Clang).
+using Wide __attribute__((vector_size(16))) = std::uint32_t;
 
 /// points in stream order; a basis of earlier points for each, as far as there are bases; without one a point is
 /// expected where the one before it is, the first one at the corner.
-Packed Encode(const std::vector<vtkMTPoint>& points, const Bases& bases, const vtkMTPoint& corner);
+Packed Encode(
+  const std::vector<vtkMTPoint>& points, const std::vector<vtkMTTriangleCodec::Basis>& bases, const vtkMTPoint& corner);
 
-/// What Decode reads, checked by the caller to be as long as the number of points makes it.
+/// What Decode reads. Coarse and Parameters are as long as the number of points makes them.
 struct Source
 {
   unsigned Shift;
+  bool IsNear;
   const unsigned char* Coarse;
-  const unsigned char* Parameters;
-  std::array<const unsigned char*, 3> Bits;
-  std::array<std::size_t, 3> BitsSize;
+  const unsigned char* Parameters;       ///< x's blocks, y's, z's
+  std::array<std::size_t, 2> UnarySizes; ///< x's, y's; z's is what is left
+  const unsigned char* Bits;             ///< low bits of x, y and z, unary codes of x, y and z; with
+                                         ///< vtkMTRiceCode::Reader::LowSlack bytes behind the end that can be read
+  std::size_t BitsSize;
 };
 
-/// Fills points, whose number is given. False when the bits are not such codes of that many points.
-bool Decode(const Source& source, const Bases& bases, const vtkMTPoint& corner, std::vector<vtkMTPoint>& points);
+/// Fills places[1] to places[points]. False when the bits are not such codes of that many points.
+bool Decode(const Source& source, const std::vector<vtkMTTriangleCodec::Basis>& bases, const vtkMTPoint& corner,
+  std::size_t points, std::vector<Wide>& places);
 }
 
 #endif

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTTriangleCodec.h"
 
-#include "vtkMTNumberCode.h"
-
 #include <algorithm>
 #include <cstring>
-#include <memory>
 #include <numeric>
 
 namespace
@@ -24,11 +21,23 @@ enum Step : unsigned
   Both = 5 // right and left at once
 };
 constexpr unsigned NumberOfSteps = 6;
+constexpr unsigned MostNameBits = 31;
+
+// What is kept from patch to patch only grows.
+template <class T>
+T* EnsureSize(std::vector<T>& values, std::size_t size)
+{
+  if (values.size() < size)
+  {
+    values.resize(size);
+  }
+  return values.data();
+}
 
 //------------------------------------------------------------------------------
-// The front: gates in doubly linked loops, and those that were not asked yet: a queue with the ones of the present
-// cell, and a stack with those that earlier cells have left. Gates behind which there is nothing stay in their loop as
-// the border that they are.
+// The front: gates in doubly linked loops. They are asked in the order in which they were made: those of the present
+// cell, which are the last ones, then what earlier cells have left, which is a stack of ranges. Gates behind which
+// there is nothing stay in their loop as the border that they are.
 class Front
 {
 public:
@@ -38,37 +47,63 @@ public:
     Border,
     Gone
   };
-  struct Gate
-  {
-    std::uint32_t From;
-    std::uint32_t To;
-    std::uint32_t Across; // the third vertex of the gate's triangle
-    std::uint32_t Previous;
-    std::uint32_t Next;
-    StateType State;
-  };
+  using Gate = vtkMTTriangleCodec::Gate;
 
-  Front(std::size_t triangles, std::size_t vertices)
-    : Gates(new Gate[3 * triangles]) // a triangle makes three at most
-    , Queue(new std::uint32_t[3 * triangles])
-    , Stack(new std::uint32_t[3 * triangles])
-    , GateFrom(vertices, None)
+  // A triangle makes three gates at most.
+  Front(std::size_t triangles, std::size_t vertices, vtkMTTriangleCodec::Workspace& workspace)
+    : Gates(EnsureSize(workspace.Gates, 3 * triangles))
+    , GateFrom(EnsureSize(workspace.GateFrom, vertices))
+    , Waiting(&workspace.Waiting)
   {
+    std::fill_n(this->GateFrom, vertices, None);
+    this->Waiting->clear();
   }
 
   // The open gate whose turn it is; None when there is none.
   std::uint32_t Pop()
   {
-    while (this->TakenInCell < vtkMTTriangleCodec::CellSize && this->QueueHead < this->QueueTail)
+    const std::uint32_t gate = this->PopOfCell();
+    return gate == None ? this->BeginCell() : gate;
+  }
+  // The same as long as the cell lasts; None behind its end.
+  std::uint32_t PopOfCell()
+  {
+    while (this->TakenInCell < vtkMTTriangleCodec::CellSize && this->Head < this->Count)
     {
-      const std::uint32_t gate = this->Queue[this->QueueHead++];
+      const std::uint32_t gate = this->Head++;
       if (this->IsOpen(gate))
       {
         ++this->TakenInCell;
         return gate;
       }
     }
-    return this->BeginCell();
+    return None;
+  }
+
+  // What is left of the last cell waits with those before it, the oldest gate first, and the new one begins with the
+  // first of these.
+  std::uint32_t BeginCell()
+  {
+    if (this->Head < this->Count)
+    {
+      this->Waiting->push_back({ this->Head, this->Count });
+    }
+    this->Head = this->Count;
+    this->TakenInCell = 1;
+    for (; !this->Waiting->empty(); this->Waiting->pop_back())
+    {
+      vtkMTTriangleCodec::GateRange& range = this->Waiting->back();
+      while (range.Begin < range.End)
+      {
+        const std::uint32_t gate = range.Begin++;
+        if (this->IsOpen(gate))
+        {
+          return gate;
+        }
+      }
+    }
+    this->TakenInCell = 0;
+    return None;
   }
 
   const Gate& Get(std::uint32_t gate) const { return this->Gates[gate]; }
@@ -76,63 +111,66 @@ public:
   std::uint32_t GetRight(std::uint32_t gate) const { return this->Gates[this->Gates[gate].Next].To; }
   std::uint32_t GetLeft(std::uint32_t gate) const { return this->Gates[this->Gates[gate].Previous].From; }
 
-  void Start(const vtkMTTriangle& t)
+  void Start(const vtkMTTriangle& t, std::uint32_t triangle)
   {
     const std::uint32_t first = this->Count;
     for (std::uint32_t c = 0; c < 3; ++c)
     {
-      const std::uint32_t gate = this->Add(t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+      const std::uint32_t gate = this->Add(t[c], t[(c + 1) % 3], t[(c + 2) % 3], triangle);
       this->Gates[gate].Previous = first + (c + 2) % 3;
       this->Gates[gate].Next = first + (c + 1) % 3;
     }
-    this->Push(first);
-    this->Push(first + 1);
-    this->Push(first + 2);
   }
 
   void MakeBorder(std::uint32_t gate) { this->Gates[gate].State = Border; }
 
   // The gate gives way to two that go by the third vertex.
-  void Split(std::uint32_t gate, std::uint32_t vertex)
+  void Split(std::uint32_t gate, std::uint32_t vertex, std::uint32_t triangle)
   {
     const std::uint32_t from = this->Gates[gate].From;
     const std::uint32_t to = this->Gates[gate].To;
     const std::uint32_t previous = this->Gates[gate].Previous;
     const std::uint32_t next = this->Gates[gate].Next;
-    const std::uint32_t left = this->Add(from, vertex, to);
-    const std::uint32_t right = this->Add(vertex, to, from);
+    const std::uint32_t left = this->Add(from, vertex, to, triangle);
+    const std::uint32_t right = this->Add(vertex, to, from, triangle);
     this->Link(previous == gate ? right : previous, left);
     this->Link(left, right);
     this->Link(right, next == gate ? left : next);
     this->Gates[gate].State = Gone;
-    this->Push(left);
-    this->Push(right);
   }
 
-  // The same where that vertex is on the front already: the loop is cut in two there, or two loops become one.
-  void SplitAt(std::uint32_t gate, std::uint32_t vertex)
+  // The gate and the next or the previous one give way to one. Nobody can guess which of the two it is, so they are
+  // told apart without a branch.
+  std::uint32_t GetNeighbour(std::uint32_t gate, bool isRight) const
   {
-    const std::uint32_t there = this->GateFrom[vertex];
-    this->Split(gate, vertex);
+    return isRight ? this->Gates[gate].Next : this->Gates[gate].Previous;
+  }
+  void Join(std::uint32_t gate, std::uint32_t neighbour, bool isRight, std::uint32_t triangle)
+  {
+    const std::uint32_t first = isRight ? gate : neighbour;
+    const std::uint32_t second = isRight ? neighbour : gate;
+    const std::uint32_t across = isRight ? this->Gates[gate].To : this->Gates[gate].From;
+    const std::uint32_t before = this->Gates[first].Previous;
+    const std::uint32_t after = this->Gates[second].Next;
+    // The neighbour is the one that would be asked next more often than not; it is passed over.
+    this->Head += neighbour == this->Head ? 1 : 0;
+    const std::uint32_t joined = this->Add(this->Gates[first].From, this->Gates[second].To, across, triangle);
+    this->Link(before == second ? joined : before, joined);
+    this->Link(joined, after == first ? joined : after);
+    this->Gates[first].State = this->Gates[second].State = Gone;
+  }
+
+  // The third vertex is on the front already: the loop is cut in two there, or two loops become one.
+  void SplitAt(std::uint32_t gate, std::uint32_t third, std::uint32_t triangle)
+  {
+    const std::uint32_t there = this->GateFrom[third];
+    this->Split(gate, third, triangle);
     if (there != None && this->Gates[there].State != Gone)
     {
       const std::uint32_t right = this->Count - 1;
       this->Link(this->Gates[there].Previous, right);
       this->Link(right - 1, there);
     }
-  }
-
-  // The gate and the next one give way to one.
-  void JoinRight(std::uint32_t gate)
-  {
-    const std::uint32_t next = this->Gates[gate].Next;
-    this->Join(gate, next, this->Gates[gate].From, this->Gates[next].To, this->Gates[gate].To);
-  }
-
-  void JoinLeft(std::uint32_t gate)
-  {
-    const std::uint32_t previous = this->Gates[gate].Previous;
-    this->Join(previous, gate, this->Gates[previous].From, this->Gates[gate].To, this->Gates[gate].From);
   }
 
   // Three gates around the triangle are done with.
@@ -156,64 +194,31 @@ public:
   }
 
 private:
-  void Push(std::uint32_t gate) { this->Queue[this->QueueTail++] = gate; }
-  // What is left of the last cell goes onto the stack, the oldest gate last, and the new one begins at its top.
-  std::uint32_t BeginCell()
-  {
-    while (this->QueueTail > this->QueueHead)
-    {
-      const std::uint32_t gate = this->Queue[--this->QueueTail];
-      this->Stack[this->StackSize] = gate;
-      this->StackSize += this->IsOpen(gate) ? 1 : 0;
-    }
-    this->TakenInCell = 1;
-    while (this->StackSize > 0)
-    {
-      const std::uint32_t gate = this->Stack[--this->StackSize];
-      if (this->IsOpen(gate))
-      {
-        return gate;
-      }
-    }
-    this->TakenInCell = 0;
-    return None;
-  }
   // Field by field: a gate that was copied as a whole could not be read again before the copy is through.
-  std::uint32_t Add(std::uint32_t from, std::uint32_t to, std::uint32_t across)
+  std::uint32_t Add(std::uint32_t from, std::uint32_t to, std::uint32_t across, std::uint32_t triangle)
   {
     const std::uint32_t gate = this->Count++;
     this->Gates[gate].From = from;
     this->Gates[gate].To = to;
     this->Gates[gate].Across = across;
+    this->Gates[gate].Owner = triangle;
     this->Gates[gate].State = Open;
     this->GateFrom[from] = gate;
     return gate;
   }
+
   void Link(std::uint32_t a, std::uint32_t b)
   {
     this->Gates[a].Next = b;
     this->Gates[b].Previous = a;
   }
-  void Join(std::uint32_t first, std::uint32_t second, std::uint32_t from, std::uint32_t to, std::uint32_t across)
-  {
-    const std::uint32_t before = this->Gates[first].Previous;
-    const std::uint32_t after = this->Gates[second].Next;
-    const std::uint32_t joined = this->Add(from, to, across);
-    this->Link(before == second ? joined : before, joined);
-    this->Link(joined, after == first ? joined : after);
-    this->Gates[first].State = this->Gates[second].State = Gone;
-    this->Push(joined);
-  }
 
-  std::unique_ptr<Gate[]> Gates;
-  std::unique_ptr<std::uint32_t[]> Queue; // every gate goes through it once
-  std::unique_ptr<std::uint32_t[]> Stack;
+  Gate* Gates;
+  std::uint32_t* GateFrom;                             // the latest that leaves a vertex
+  std::vector<vtkMTTriangleCodec::GateRange>* Waiting; // of earlier cells
   std::uint32_t Count = 0;
+  std::uint32_t Head = 0; // of the present cell's gates the first that was not asked
   std::uint32_t TakenInCell = 0;
-  std::size_t QueueHead = 0;
-  std::size_t QueueTail = 0;
-  std::size_t StackSize = 0;
-  std::vector<std::uint32_t> GateFrom; // the latest that leaves a vertex
 };
 
 // Which of the steps closes the gate with that vertex, if it is on the front beside it. The front's links are a help
@@ -230,17 +235,16 @@ unsigned FindStep(const Front& front, std::uint32_t gate, std::uint32_t vertex)
   return isRight ? Right : (isLeft ? Left : Named);
 }
 
-// Steps as the decoder may take them: the neighbour must be an open gate of its own.
-bool MayJoin(const Front& front, std::uint32_t gate, unsigned step)
+// The decoder may take this step: the neighbours must be two open gates of their own.
+bool MayJoinBoth(const Front& front, std::uint32_t gate)
 {
   const Front::Gate& g = front.Get(gate);
-  const bool hasRight = g.Next != gate && front.IsOpen(g.Next);
-  const bool hasLeft = g.Previous != gate && front.IsOpen(g.Previous);
-  return step == Right ? hasRight : (step == Left ? hasLeft : hasRight && hasLeft && g.Next != g.Previous);
+  return g.Next != gate && front.IsOpen(g.Next) && g.Previous != gate && front.IsOpen(g.Previous) &&
+    g.Next != g.Previous;
 }
 
 //------------------------------------------------------------------------------
-class StepWriter
+class BitWriter
 {
 public:
   void Put(unsigned step)
@@ -254,9 +258,6 @@ public:
       this->PutBit(false);
     }
   }
-  std::vector<unsigned char> Bytes;
-
-private:
   void PutBit(bool bit)
   {
     if (this->Count % 8 == 0)
@@ -269,61 +270,139 @@ private:
     }
     ++this->Count;
   }
+  std::vector<unsigned char> Bytes;
+
+private:
   std::size_t Count = 0;
 };
 
 class StepReader
 {
 public:
+  // Eight bytes behind the end are read and not looked at.
   StepReader(const unsigned char* bytes, std::size_t size)
     : Bytes(bytes)
     , Size(size)
   {
   }
-  // NumberOfSteps when the bits have ended.
+  // NumberOfSteps when the bits have ended, or some time after.
   unsigned Get()
   {
     if (this->Have < NumberOfSteps)
     {
-      this->Fill();
+      if (this->At > this->Size)
+      {
+        return NumberOfSteps;
+      }
+      std::uint64_t more;
+      std::memcpy(&more, this->Bytes + this->At, sizeof(more));
+      this->Pending |= more << this->Have;
+      this->At += (63 - this->Have) / 8;
+      this->Have |= 56;
     }
     const auto ones =
       static_cast<unsigned>(__builtin_ctzll(~this->Pending | (std::uint64_t(1) << (NumberOfSteps - 1))));
     const unsigned length = ones + (ones + 1 < NumberOfSteps ? 1 : 0);
-    if (length > this->Have)
-    {
-      return NumberOfSteps;
-    }
     this->Pending >>= length;
     this->Have -= length;
     return ones;
   }
-  // Whether nothing but the zeros that fill the last byte are left.
-  bool IsAtEnd() const { return this->At == this->Size && this->Have < 8 && this->Pending == 0; }
+  // Whether no more bits were taken than there are, and nothing but the zeros that fill the last byte are left.
+  bool IsAtEnd() const
+  {
+    const std::size_t taken = 8 * this->At - this->Have;
+    return (taken + 7) / 8 == this->Size && (taken % 8 == 0 || this->Bytes[this->Size - 1] >> (taken % 8) == 0);
+  }
 
 private:
-  void Fill()
-  {
-    if (this->At + sizeof(std::uint32_t) <= this->Size)
-    {
-      std::uint32_t more;
-      std::memcpy(&more, this->Bytes + this->At, sizeof(more));
-      this->Pending |= std::uint64_t(more) << this->Have;
-      this->At += sizeof(more);
-      this->Have += 8 * sizeof(more);
-      return;
-    }
-    while (this->Have <= 56 && this->At < this->Size)
-    {
-      this->Pending |= std::uint64_t(this->Bytes[this->At++]) << this->Have;
-      this->Have += 8;
-    }
-  }
   const unsigned char* Bytes;
   std::size_t Size;
   std::size_t At = 0;
   std::uint64_t Pending = 0;
   unsigned Have = 0;
+};
+
+//------------------------------------------------------------------------------
+// Names as Rice codes: a byte with the parameter, then the bits.
+std::vector<unsigned char> WriteNames(const std::vector<std::uint32_t>& names)
+{
+  const auto count = [&names](unsigned parameter)
+  {
+    std::uint64_t bits = 0;
+    for (const std::uint32_t name : names)
+    {
+      bits += (name >> parameter) + 1 + parameter;
+    }
+    return bits;
+  };
+  unsigned best = 0;
+  for (unsigned parameter = 1; parameter <= MostNameBits; ++parameter)
+  {
+    best = count(parameter) < count(best) ? parameter : best;
+  }
+  BitWriter writer;
+  writer.Bytes.push_back(static_cast<unsigned char>(best));
+  for (const std::uint32_t name : names)
+  {
+    for (std::uint32_t ones = name >> best; ones > 0; --ones)
+    {
+      writer.PutBit(true);
+    }
+    writer.PutBit(false);
+    for (unsigned i = 0; i < best; ++i)
+    {
+      writer.PutBit((name >> i & 1) != 0);
+    }
+  }
+  return names.empty() ? std::vector<unsigned char>() : std::move(writer.Bytes);
+}
+
+class NameReader
+{
+public:
+  NameReader(const unsigned char* bytes, std::size_t size)
+    : Bytes(bytes + (size > 0 ? 1 : 0))
+    , Size(size > 0 ? 8 * (size - 1) : 0)
+    , Parameter(size > 0 ? bytes[0] : 0)
+  {
+  }
+  bool Get(std::uint64_t& name)
+  {
+    std::uint64_t ones = 0;
+    for (; this->At < this->Size && this->IsSet(this->At); ++this->At)
+    {
+      ++ones;
+    }
+    if (this->Parameter > MostNameBits || this->Size - this->At < 1 + this->Parameter)
+    {
+      return false;
+    }
+    ++this->At;
+    name = ones << this->Parameter;
+    for (unsigned i = 0; i < this->Parameter; ++i, ++this->At)
+    {
+      name |= std::uint64_t(this->IsSet(this->At)) << i;
+    }
+    return true;
+  }
+  // Whether nothing but the zeros that fill the last byte are left.
+  bool IsAtEnd() const
+  {
+    std::size_t at = this->At;
+    while (at < this->Size && !this->IsSet(at))
+    {
+      ++at;
+    }
+    return at == this->Size && this->Size - this->At < 8;
+  }
+
+private:
+  bool IsSet(std::size_t bit) const { return (this->Bytes[bit / 8] >> (bit % 8) & 1) != 0; }
+
+  const unsigned char* Bytes;
+  std::size_t Size; // bits
+  std::size_t At = 0;
+  unsigned Parameter;
 };
 
 //------------------------------------------------------------------------------
@@ -336,6 +415,7 @@ public:
     , Corners(3 * triangles.size())
     , Triangles(triangles)
     , IsDone(triangles.size(), 0)
+    , Reverse(triangles.size(), Unknown)
   {
     for (const vtkMTTriangle& t : triangles)
     {
@@ -360,27 +440,73 @@ public:
     std::uint32_t Triangle = None;
     std::uint32_t Index = 0;
   };
-  // A triangle that is not done and runs from a to b, which is its corner `Index` to the next; the first of them.
-  Corner Find(std::uint32_t a, std::uint32_t b) const
+  // A triangle that is not done and runs from a to b, which is its corner `Index` to the next; the first of them, but
+  // rather one that is there a second time the other way round: one goes to it and back by the other one, while nothing
+  // would lead there later, where the surface goes on past it.
+  Corner Find(std::uint32_t a, std::uint32_t b)
   {
+    Corner found;
     for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
     {
       const Corner& corner = this->Corners[i];
-      if (!this->IsDone[corner.Triangle] && this->Triangles[corner.Triangle][(corner.Index + 1) % 3] == b)
+      if (this->IsDone[corner.Triangle] || this->Get(corner, 1) != b)
+      {
+        continue;
+      }
+      if (found.Triangle == None)
+      {
+        found = corner;
+      }
+      else if (!this->HasReverse(found) && this->HasReverse(corner))
       {
         return corner;
       }
     }
-    return {};
+    return found;
   }
   void Finish(std::uint32_t triangle) { this->IsDone[triangle] = 1; }
   bool IsFinished(std::uint32_t triangle) const { return this->IsDone[triangle] != 0; }
 
 private:
+  std::uint32_t Get(const Corner& corner, std::uint32_t offset) const
+  {
+    return this->Triangles[corner.Triangle][(corner.Index + offset) % 3];
+  }
+  // Done or not; looked for once, as there may be any number of triangles at a vertex.
+  bool HasReverse(const Corner& corner)
+  {
+    ReverseType& reverse = this->Reverse[corner.Triangle];
+    if (reverse == Unknown)
+    {
+      reverse = this->FindReverse(corner) ? Some : Lone;
+    }
+    return reverse == Some;
+  }
+  bool FindReverse(const Corner& corner) const
+  {
+    const std::uint32_t a = this->Get(corner, 0);
+    for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
+    {
+      const Corner& other = this->Corners[i];
+      if (this->Get(other, 1) == this->Get(corner, 2) && this->Get(other, 2) == this->Get(corner, 1))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  enum ReverseType : unsigned char
+  {
+    Unknown,
+    Some,
+    Lone
+  };
   std::vector<std::size_t> First;
   std::vector<Corner> Corners;
   const std::vector<vtkMTTriangle>& Triangles;
   std::vector<unsigned char> IsDone;
+  std::vector<ReverseType> Reverse;
 };
 
 class Encoder
@@ -389,7 +515,7 @@ public:
   Encoder(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
     : Triangles(triangles)
     , Behind(triangles, vertices)
-    , Growing(triangles.size(), vertices)
+    , Growing(triangles.size(), vertices, this->Work)
     , Number(vertices, None)
   {
     this->Result.Triangles.reserve(triangles.size());
@@ -413,10 +539,13 @@ public:
       this->StartAt(seed);
     }
     this->Result.Steps = std::move(this->Steps.Bytes);
+    this->Result.Names = WriteNames(this->Names);
     return std::move(this->Result);
   }
 
 private:
+  std::uint32_t GetDone() const { return static_cast<std::uint32_t>(this->Result.Triangles.size()); }
+
   void StartAt(std::uint32_t triangle)
   {
     const vtkMTTriangle& t = this->Triangles[triangle];
@@ -425,16 +554,16 @@ private:
       this->Name(v);
     }
     this->Behind.Finish(triangle);
+    this->Growing.Start(t, this->GetDone());
     this->Result.Triangles.push_back(t);
     this->Result.Order.push_back(triangle);
-    this->Growing.Start(t);
   }
 
   // 0 is a new vertex, k the k-th last one that was met.
   void Name(std::uint32_t vertex)
   {
     const bool isNew = this->Number[vertex] == None;
-    vtkMTNumberCode::Append(this->Result.Names, isNew ? 0 : this->Met - this->Number[vertex]);
+    this->Names.push_back(isNew ? 0 : this->Met - this->Number[vertex]);
     this->Number[vertex] = isNew ? this->Met++ : this->Number[vertex];
   }
 
@@ -449,109 +578,112 @@ private:
       return;
     }
     const std::uint32_t third = this->Triangles[behind.Triangle][(behind.Index + 2) % 3];
-    this->Behind.Finish(behind.Triangle);
-    this->Result.Triangles.push_back({ g.To, g.From, third });
-    this->Result.Order.push_back(behind.Triangle);
-    if (this->Number[third] == None)
-    {
-      this->Steps.Put(New);
-      this->Number[third] = this->Met++;
-      this->Growing.Split(gate, third);
-      return;
-    }
-    const unsigned step = FindStep(this->Growing, gate, third);
+    const bool isNew = this->Number[third] == None;
+    const unsigned step = isNew ? New : FindStep(this->Growing, gate, third);
     this->Steps.Put(step);
     switch (step)
     {
+      case New:
+        this->Growing.Split(gate, third, this->GetDone());
+        break;
       case Right:
-        return this->Growing.JoinRight(gate);
       case Left:
-        return this->Growing.JoinLeft(gate);
+        this->Growing.Join(gate, this->Growing.GetNeighbour(gate, step == Right), step == Right, this->GetDone());
+        break;
       case Both:
-        return this->Growing.JoinBoth(gate);
+        this->Growing.JoinBoth(gate);
+        break;
       default:
         this->Name(third);
-        this->Growing.SplitAt(gate, third);
+        this->Growing.SplitAt(gate, third, this->GetDone());
     }
+    this->Number[third] = isNew ? this->Met++ : this->Number[third];
+    this->Behind.Finish(behind.Triangle);
+    this->Result.Triangles.push_back({ g.To, g.From, third });
+    this->Result.Order.push_back(behind.Triangle);
   }
 
   const std::vector<vtkMTTriangle>& Triangles;
   Edges Behind;
+  vtkMTTriangleCodec::Workspace Work;
   Front Growing;
   std::vector<std::uint32_t> Number;
   std::uint32_t Met = 0;
-  StepWriter Steps;
+  BitWriter Steps;
+  std::vector<std::uint32_t> Names;
   vtkMTTriangleCodec::Coded Result;
+};
+
+// What is asked for at every gate.
+struct Cursor
+{
+  Front Growing;
+  StepReader Steps;
+  std::uint32_t Done; // triangles
+  std::uint32_t Met;  // vertices
+  std::uint32_t Borders;
 };
 
 class Decoder
 {
 public:
-  Decoder(StepReader steps, vtkMTNumberCode::Reader names, std::size_t triangles, std::size_t vertices,
-    std::vector<Basis>& bases, std::vector<std::uint32_t>& border)
-    : Steps(steps)
+  Decoder(StepReader steps, NameReader names, vtkMTTriangleCodec::Decoded& out)
+    : Now{ Front(out.NumberOfTriangles, out.NumberOfVertices, out.Work), steps, 0, 0, 0 }
     , Names(names)
-    , Bases(bases)
-    , Border(border)
-    , Growing(triangles, vertices)
+    , Triangles(EnsureSize(out.Triangles, out.NumberOfTriangles))
+    , Bases(EnsureSize(out.Bases, out.NumberOfVertices))
+    , BorderGates(EnsureSize(out.Work.BorderGates, 3 * std::size_t(out.NumberOfTriangles)))
+    , Out(out)
   {
+    this->Out.Border.clear();
   }
 
-  bool Run(std::vector<vtkMTTriangle>& triangles)
+  bool Run()
   {
-    vtkMTTriangle* const end = triangles.data() + triangles.size();
-    for (vtkMTTriangle* next = triangles.data(); next != end;)
+    while (this->Now.Done < this->Out.NumberOfTriangles)
     {
-      const std::uint32_t gate = this->Growing.Pop();
-      if (!(gate == None ? this->Start(*next++) : this->Cross(gate, next)))
+      std::uint32_t gate = this->Now.Growing.Pop();
+      if (gate == None ? !this->Start() : !this->Cross(gate))
       {
         return false;
       }
     }
-    this->Bases.resize(this->Met);
+    std::fill(this->Bases + this->Now.Met, this->Bases + this->Out.NumberOfVertices, Basis());
     this->TakeBorder();
-    return this->Steps.IsAtEnd() && this->Names.IsAtEnd();
+    return this->Now.Steps.IsAtEnd() && this->Names.IsAtEnd();
   }
 
 private:
   void TakeBorder()
   {
-    for (std::uint32_t gate = this->Growing.Pop(); gate != None; gate = this->Growing.Pop())
+    for (std::uint32_t gate = this->Now.Growing.Pop(); gate != None; gate = this->Now.Growing.Pop())
     {
-      this->BorderGates.push_back(gate);
+      this->BorderGates[this->Now.Borders++] = gate;
     }
-    for (const std::uint32_t gate : this->BorderGates)
+    for (std::uint32_t i = 0; i < this->Now.Borders; ++i)
     {
-      this->Growing.TakeLoop(gate, this->Border);
+      this->Now.Growing.TakeLoop(this->BorderGates[i], this->Out.Border);
     }
-  }
-
-  bool Meet(std::uint32_t a, std::uint32_t b, std::uint32_t c)
-  {
-    if (this->Met == this->Bases.size())
-    {
-      return false;
-    }
-    Basis& basis = this->Bases[this->Met++];
-    basis.A = a;
-    basis.B = b;
-    basis.C = c;
-    return true;
   }
 
   bool Name(std::uint32_t before, std::uint32_t& vertex)
   {
     std::uint64_t back = 0;
-    if (!this->Names.Get(back) || back > this->Met)
+    if (!this->Names.Get(back) || back > this->Now.Met || (back == 0 && this->Now.Met == this->Out.NumberOfVertices))
     {
       return false;
     }
-    vertex = this->Met - static_cast<std::uint32_t>(back);
-    return back > 0 || this->Meet(before, None, None);
+    vertex = this->Now.Met - static_cast<std::uint32_t>(back);
+    if (back == 0)
+    {
+      this->Bases[this->Now.Met++] = { before, None, None };
+    }
+    return true;
   }
 
-  bool Start(vtkMTTriangle& t)
+  bool Start()
   {
+    vtkMTTriangle t;
     std::uint32_t before = None;
     for (std::uint32_t& vertex : t)
     {
@@ -561,72 +693,101 @@ private:
       }
       before = vertex;
     }
-    this->Growing.Start(t);
+    this->Now.Growing.Start(t, this->Now.Done);
+    this->Triangles[this->Now.Done++] = { t[0], t[1], t[2], None };
     return true;
   }
 
-  bool Cross(std::uint32_t gate, vtkMTTriangle*& next)
+  // From this gate on as far as the cell goes, or to a vertex that is named. What is asked for all the time is in
+  // local variables meanwhile, which nothing that is written can change.
+  bool Cross(std::uint32_t gate)
   {
-    const std::uint32_t from = this->Growing.Get(gate).From;
-    const std::uint32_t to = this->Growing.Get(gate).To;
-    const std::uint32_t across = this->Growing.Get(gate).Across;
-    const unsigned step = this->Steps.Get();
-    if (step == Nothing)
+    Cursor now = this->Now;
+    unsigned step = New;
+    const std::uint32_t end = this->Out.NumberOfTriangles;
+    for (; gate != None; gate = now.Done < end ? now.Growing.PopOfCell() : None)
     {
-      this->Growing.MakeBorder(gate);
-      this->BorderGates.push_back(gate);
-      return true;
-    }
-    vtkMTTriangle& triangle = *next++;
-    triangle = { to, from, this->Met };
-    if (step == New)
-    {
-      if (!this->Meet(from, to, across))
+      step = now.Steps.Get();
+      if (step == New && now.Met < this->Out.NumberOfVertices)
       {
-        return false;
+        this->TakeNew(now, gate);
       }
-      this->Growing.Split(gate, triangle[2]);
-      return true;
-    }
-    if (step == Named)
-    {
-      std::uint64_t back = 0;
-      if (!this->Names.Get(back) || back == 0 || back > this->Met)
+      else if (step == Nothing)
       {
-        return false;
+        now.Growing.MakeBorder(gate);
+        this->BorderGates[now.Borders++] = gate;
       }
-      triangle[2] -= static_cast<std::uint32_t>(back);
-      this->Growing.SplitAt(gate, triangle[2]);
-      return true;
+      else if (step == Right || step == Left)
+      {
+        const std::uint32_t neighbour = now.Growing.GetNeighbour(gate, step == Right);
+        if (neighbour == gate || !now.Growing.IsOpen(neighbour))
+        {
+          break;
+        }
+        this->TakeJoin(now, gate, neighbour, step == Right);
+      }
+      else if (step == Both && MayJoinBoth(now.Growing, gate))
+      {
+        this->Put(now, now.Growing.Get(gate), now.Growing.GetRight(gate));
+        now.Growing.JoinBoth(gate);
+        ++now.Done;
+      }
+      else
+      {
+        break;
+      }
     }
-    return step < NumberOfSteps && MayJoin(this->Growing, gate, step) && this->Join(gate, step, triangle[2]);
+    this->Now = now;
+    return gate == None || (step == Named && this->CrossToNamed(gate));
   }
 
-  bool Join(std::uint32_t gate, unsigned step, std::uint32_t& third)
+  void TakeNew(Cursor& now, std::uint32_t gate)
   {
-    third = step == Left ? this->Growing.GetLeft(gate) : this->Growing.GetRight(gate);
-    if (step == Both)
+    const Front::Gate& g = now.Growing.Get(gate);
+    Basis& basis = this->Bases[now.Met];
+    basis.A = g.From;
+    basis.B = g.To;
+    basis.C = g.Across;
+    this->Put(now, g, now.Met);
+    now.Growing.Split(gate, now.Met++, now.Done++);
+  }
+
+  void TakeJoin(Cursor& now, std::uint32_t gate, std::uint32_t neighbour, bool isRight)
+  {
+    const Front::Gate& other = now.Growing.Get(neighbour);
+    this->Put(now, now.Growing.Get(gate), isRight ? other.To : other.From);
+    now.Growing.Join(gate, neighbour, isRight, now.Done++);
+  }
+
+  // The triangle behind a gate.
+  void Put(const Cursor& now, const Front::Gate& gate, std::uint32_t third)
+  {
+    std::array<std::uint32_t, 4>& triangle = this->Triangles[now.Done];
+    triangle[0] = gate.To;
+    triangle[1] = gate.From;
+    triangle[2] = third;
+    triangle[3] = gate.Owner;
+  }
+
+  bool CrossToNamed(std::uint32_t gate)
+  {
+    std::uint64_t back = 0;
+    if (!this->Names.Get(back) || back == 0 || back > this->Now.Met)
     {
-      this->Growing.JoinBoth(gate);
+      return false;
     }
-    else if (step == Right)
-    {
-      this->Growing.JoinRight(gate);
-    }
-    else
-    {
-      this->Growing.JoinLeft(gate);
-    }
+    const std::uint32_t third = this->Now.Met - static_cast<std::uint32_t>(back);
+    this->Put(this->Now, this->Now.Growing.Get(gate), third);
+    this->Now.Growing.SplitAt(gate, third, this->Now.Done++);
     return true;
   }
 
-  StepReader Steps;
-  vtkMTNumberCode::Reader Names;
-  std::vector<Basis>& Bases; // one for every vertex that there may be
-  std::vector<std::uint32_t>& Border;
-  std::vector<std::uint32_t> BorderGates; // as they became that, then those that are still open
-  std::uint32_t Met = 0;
-  Front Growing;
+  Cursor Now;
+  NameReader Names;
+  std::array<std::uint32_t, 4>* Triangles;
+  Basis* Bases;
+  std::uint32_t* BorderGates;
+  vtkMTTriangleCodec::Decoded& Out;
 };
 }
 
@@ -638,13 +799,10 @@ Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
 }
 
 bool Decode(const unsigned char* steps, std::size_t stepsSize, const unsigned char* names, std::size_t namesSize,
-  std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases,
-  std::vector<std::uint32_t>& border)
+  std::size_t triangles, std::size_t vertices, Decoded& decoded)
 {
-  bases.assign(vertices, Basis());
-  border.clear();
-  return Decoder(
-    StepReader(steps, stepsSize), vtkMTNumberCode::Reader(names, namesSize), triangles.size(), vertices, bases, border)
-    .Run(triangles);
+  decoded.NumberOfTriangles = static_cast<std::uint32_t>(triangles);
+  decoded.NumberOfVertices = static_cast<std::uint32_t>(vertices);
+  return Decoder(StepReader(steps, stepsSize), NameReader(names, namesSize), decoded).Run();
 }
 }

@@ -41,7 +41,7 @@ struct Basis
 struct Coded
 {
   std::vector<unsigned char> Steps;     ///< a prefix code, lowest bit first
-  std::vector<unsigned char> Names;     ///< LEB128: of vertices that are named
+  std::vector<unsigned char> Names;     ///< Rice codes: of vertices that are named
   std::vector<vtkMTTriangle> Triangles; ///< as they will be decoded, of the caller's vertices
   std::vector<std::uint32_t> Order;     ///< which of the caller's triangles each one is; equal ones keep their order
 };
@@ -49,14 +49,52 @@ struct Coded
 /// Every triangle's indices are below `vertices`.
 Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices);
 
-/**
- * Fills triangles, whose number is given, with vertices in stream order, and the bases of those that were met; the
- * latter are at most `vertices`. border: the vertices from which the gates start that are left in the end, loop by
- * loop, which are the border of the triangles; one may be there more than once. False when the bytes are no such steps.
- */
+/// An edge of the front.
+struct Gate
+{
+  std::uint32_t From;
+  std::uint32_t To;
+  std::uint32_t Across; ///< the third vertex of the gate's triangle
+  std::uint32_t Owner;  ///< that triangle
+  std::uint32_t Previous;
+  std::uint32_t Next;
+  std::uint32_t State;
+  std::uint32_t Unused; // a power of two is found faster
+};
+struct GateRange
+{
+  std::uint32_t Begin;
+  std::uint32_t End;
+};
+
+/// Memory that is worth keeping from one patch to the next.
+struct Workspace
+{
+  std::vector<Gate> Gates;
+  std::vector<std::uint32_t> GateFrom;
+  std::vector<GateRange> Waiting;
+  std::vector<std::uint32_t> BorderGates; ///< as they became that, then those that are still open
+};
+
+/// Triangles in the order of their codes, of vertices in stream order. The vectors only grow from call to call; what
+/// counts is at their beginning.
+struct Decoded
+{
+  std::uint32_t NumberOfTriangles = 0;
+  std::uint32_t NumberOfVertices = 0;
+  /// Three vertices, and the triangle across the gate behind which this one was found; None at a start.
+  std::vector<std::array<std::uint32_t, 4>> Triangles;
+  std::vector<Basis> Bases; ///< of the vertices
+  /// The vertices from which the gates start that are left in the end, loop by loop, which are the border of the
+  /// triangles; one may be there more than once.
+  std::vector<std::uint32_t> Border;
+  Workspace Work;
+};
+
+/// Replaces what `decoded` holds by so many triangles of at most so many vertices. False when the bytes are no such
+/// steps. Eight bytes behind the steps can be read.
 bool Decode(const unsigned char* steps, std::size_t stepsSize, const unsigned char* names, std::size_t namesSize,
-  std::size_t vertices, std::vector<vtkMTTriangle>& triangles, std::vector<Basis>& bases,
-  std::vector<std::uint32_t>& border);
+  std::size_t triangles, std::size_t vertices, Decoded& decoded);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A section of a patch: the decoders alone, behind all checks of file and directory.
 #include "vtkMTPatchCodec.h"
+#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <cstring>
@@ -30,15 +31,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   array.Role = data[12] % 2 ? vtkMTArrayInfo::MadeNormals : vtkMTArrayInfo::Plain;
   vtkMTFileFormat::SectionRecord section{};
   section.Codec = data[0] % 3;
-  section.StoredSize = static_cast<std::uint32_t>(size - HeadSize);
-  const std::vector<unsigned char> bytes(data + HeadSize, data + size); // so that reads past its end are seen
+  // The geometry, then the array, both copied so that reads past their ends are seen.
+  std::uint16_t geometrySize = 0;
+  std::memcpy(&geometrySize, data + 13, sizeof(geometrySize));
+  const unsigned char* const end = data + size;
+  const unsigned char* const middle = data + HeadSize + std::min<std::size_t>(geometrySize, size - HeadSize);
+  const std::vector<unsigned char> geometry(data + HeadSize, middle);
+  const std::vector<unsigned char> values(middle, end);
   std::string error;
   vtkMTPatch patch;
-  vtkMTPatchCodec::DecodeGeometry(section, bytes.data(), arc, patch, error);
+  vtkMTTraversal traversal;
+  section.StoredSize = static_cast<std::uint32_t>(geometry.size());
+  vtkMTPatchCodec::DecodeGeometry(section, geometry.data(), arc, traversal, patch, error);
   vtkMTColumn column;
   if (array.GetTupleSize() > 0)
   {
-    vtkMTPatchCodec::DecodeColumn(section, bytes.data(), arc, array, column, error);
+    section.StoredSize = static_cast<std::uint32_t>(values.size());
+    vtkMTPatchCodec::DecodeColumn(section, values.data(), arc, array, traversal, column, error);
   }
   return 0;
 }

@@ -5,6 +5,7 @@
 
 #include "vtkMTFileSink.h"
 #include "vtkMTMeshWriter.h"
+#include "vtkMTPatchCodec.h"
 
 #include "vtkPolyData.h"
 
@@ -44,16 +45,52 @@ bool WriteModels(const std::string& folder)
   return true;
 }
 
-// Codec, counts and array type as fuzz_patch reads them, then bytes that mean little yet.
-void WritePatches(const std::string& folder)
+// A sheet of 64 points with normals.
+vtkMTPatch MakeSheet()
 {
-  for (int codec = 0; codec < 3; ++codec)
+  vtkMTPatch patch;
+  for (std::uint32_t i = 0; i < 64; ++i)
   {
-    std::ofstream file(folder + "/patch" + std::to_string(codec), std::ios::binary);
-    const unsigned char head[16] = { static_cast<unsigned char>(codec), 4, 0, 4, 0, 2, 0, 1, 0, 10, 3, 0 };
-    file.write(reinterpret_cast<const char*>(head), sizeof(head));
-    file << std::string(100, '\0');
+    const std::uint32_t x = i % 8;
+    const std::uint32_t y = i / 8;
+    patch.Points.push_back({ static_cast<std::int32_t>(10 * x), static_cast<std::int32_t>(10 * y), 0 });
+    if (x < 7 && y < 7)
+    {
+      patch.Triangles.push_back({ i, i + 1, i + 9 });
+      patch.Triangles.push_back({ i, i + 9, i + 8 });
+    }
   }
+  patch.Ids = { 1, 2, 3, 4 };
+  patch.PointColumns.emplace_back(64 * 3 * sizeof(float), static_cast<unsigned char>(0));
+  return patch;
+}
+
+// Codec, counts, array type and size of the geometry as fuzz_patch reads them, then the geometry and the normals.
+bool WritePatches(const std::string& folder)
+{
+  vtkMTArrayInfo normals;
+  normals.Type = 10;
+  normals.Components = 3;
+  normals.Association = vtkMTArrayInfo::Point;
+  normals.Role = vtkMTArrayInfo::MadeNormals;
+  bool done = true;
+  for (const auto codec : { vtkMTFileFormat::Raw, vtkMTFileFormat::Lz4, vtkMTFileFormat::Zstd })
+  {
+    std::vector<unsigned char> bytes;
+    std::vector<vtkMTFileFormat::Section> sections;
+    std::string error;
+    done = vtkMTPatchCodec::Encode(MakeSheet(), { normals }, codec, bytes, sections, error) && done;
+    const std::uint32_t size = done ? sections[0].StoredSize : 0;
+    const unsigned char head[16] = { static_cast<unsigned char>(codec), 64, 0, 64, 0, 98, 0, 4, 0, 10, 2, 0, 1,
+      static_cast<unsigned char>(size), static_cast<unsigned char>(size >> 8), 0 };
+    std::ofstream file(folder + "/patch" + std::to_string(int(codec)), std::ios::binary);
+    file.write(reinterpret_cast<const char*>(head), sizeof(head));
+    for (const auto& section : sections)
+    {
+      file.write(reinterpret_cast<const char*>(bytes.data() + section.Offset), section.StoredSize);
+    }
+  }
+  return done;
 }
 }
 
@@ -72,8 +109,7 @@ int main(int argc, char** argv)
   }
   if (name == "patch")
   {
-    WritePatches(folder);
-    return 0;
+    return WritePatches(folder) ? 0 : 1;
   }
   std::string error;
   const bool done = vtkMTMeshWriter::Write(folder + "/mesh." + name, MTTestMeshes::Icosphere(1), error);

@@ -108,7 +108,7 @@ class Header:
          self.input_triangles, self.step, ox, oy, oz, self.shift, self.blobs) = struct.unpack(
              "<IIQQQQQQQIIIIQdqqqdI", data[8:140])
         self.origin = (ox, oy, oz)
-        require(self.version == 3 and size == 256 and self.file_size == len(data), "another version, or cut off")
+        require(self.version == 4 and size == 256 and self.file_size == len(data), "another version, or cut off")
         dag, head = struct.unpack("<QQ", data[240:256])
         check(data[:248], head, "the header")
         check(data[256:self.patches_at], dag, "the DAG block")
@@ -186,13 +186,14 @@ class Patch:
         require(stream.at == len(stream.data), "a geometry section of another length")
 
     def read_packed(self, codec, data):
-        *self.corner, shift, has_table, zero, side_size, stored = struct.unpack_from("<3iBBHII", data)
-        require(zero == 0, "a reserved byte is not 0")
+        *self.corner, shift, has_table, near, zero, side_size, stored = struct.unpack_from("<3i4BII", data)
+        require(near <= 1 and zero == 0, "a reserved byte is not 0")
         side = Stream(decompress(codec, data[24:24 + stored], side_size))
         steps = side.take(side.number())
-        names = Stream(side.take(side.number()))
+        names = side.take(side.number())
         triangles, bases, border = self.read_triangles(int.from_bytes(steps, "little"), 8 * len(steps), names)
         wedge_points = self.read_wedges(side) if has_table else None
+        wedge_bases = bases
         ids = self.read_ids(side, [wedge_points[w] for w in border] if has_table else border)
         coarse = bits(side.take((self.points_count + 7) // 8), self.points_count) if shift else None
         if has_table:
@@ -200,20 +201,35 @@ class Patch:
             for w, p in enumerate(wedge_points):
                 first.setdefault(p, w)
             bases = {p: [wedge_points[x] for x in bases.get(w, [])] for p, w in first.items()}
-        points = self.read_points(bases, shift, coarse, side, data[24 + stored:])
+        points = self.read_points(bases, shift, near, coarse, side, data[24 + stored:])
         require(side.at == len(side.data), "a side stream of another length")
         self.ids = [ids[p] for p in sorted(ids)]
         self.place(points, [p in ids for p in range(len(points))], wedge_points, triangles)
+        self.wedge_bases = [wedge_bases.get(w, []) for w in range(self.wedges_count)]
 
     def read_triangles(self, steps, bits_left, names):
+        name_parameter, name_bits = names[0] if names else 0, int.from_bytes(names[1:], "little")
         triangles = []
         bases = {}  # of the vertices that were met: [], [a] or [a, b, c]
         gates = []  # [from, to, across, previous, next, state]
+        owners = []  # the triangle of each gate
+        self.behind = []  # for each triangle, the one across the gate behind which it was found, or None
         queue = []  # of the present cell
         stack = []  # of cells before
         taken = 0
         border_gates = []
         gate_from = {}
+        names_at = 0
+
+        def read_name():
+            nonlocal names_at
+            ones = 0
+            while name_bits >> names_at & 1:
+                ones += 1
+                names_at += 1
+            value = ones << name_parameter | name_bits >> names_at + 1 & ((1 << name_parameter) - 1)
+            names_at += 1 + name_parameter
+            return value
 
         def take():
             nonlocal queue, taken
@@ -233,7 +249,7 @@ class Patch:
             return None
 
         def name(basis):
-            back = names.number()
+            back = read_name()
             if back:
                 return len(bases) - back
             bases[len(bases)] = basis
@@ -245,6 +261,7 @@ class Patch:
 
         def add(start, end, across):
             gates.append([start, end, across, len(gates), len(gates), OPEN])
+            owners.append(len(triangles))
             gate_from[start] = len(gates) - 1
             return len(gates) - 1
 
@@ -278,9 +295,11 @@ class Patch:
                 first = len(gates)
                 for c in range(3):
                     gates.append([t[c], t[(c + 1) % 3], t[(c + 2) % 3], first + (c + 2) % 3, first + (c + 1) % 3, OPEN])
+                    owners.append(len(triangles))
                     gate_from[t[c]] = first + c
                 queue.extend([first, first + 1, first + 2])
                 triangles.append(tuple(t))
+                self.behind.append(None)
                 continue
             start, end, across, previous, following, _ = gates[gate]
             step = 0
@@ -301,7 +320,7 @@ class Patch:
                 bases[third] = [start, end, across]
                 split(gate, third)
             elif step == 4:
-                third = len(bases) - names.number()
+                third = len(bases) - read_name()
                 split(gate, third)
             elif step == 2:
                 third = gates[previous][0]
@@ -315,7 +334,8 @@ class Patch:
                     gates[gate][5] = gates[previous][5] = gates[following][5] = GONE
                     link(before, after)
             triangles.append((end, start, third))
-        require(bits_left < 8 and steps == 0 and names.at == len(names.data), "the steps are too long")
+            self.behind.append(owners[gate])
+        require(bits_left < 8 and steps == 0 and len(names[1:]) == (names_at + 7) // 8, "the steps are too long")
         border = []
         while (gate := take()) is not None:
             border_gates.append(gate)
@@ -355,33 +375,23 @@ class Patch:
                     ids[point] = highs[high] << 32 | before[high]
         return ids
 
-    def read_points(self, bases, shift, coarse, side, data):
+    def read_points(self, bases, shift, near, coarse, side, data):
         count = self.points_count
-        blocks = [min(32, count - begin) for begin in range(0, count, 32)]
+        blocks = [min(64, count - begin) for begin in range(0, count, 64)]
         parameters = side.take(3 * len(blocks))
-        sizes = [side.number(), side.number()]
-        sizes.append(len(data) - sum(sizes))
-        codes = []
-        for axis in range(3):
-            everything = int.from_bytes(data[:sizes[axis]], "little")
-            data = data[sizes[axis]:]
-            at = 0
-            codes.append([])
-            for size, k in zip(blocks, parameters[axis * len(blocks):]):
-                for _ in range(size):
-                    ones = 0
-                    while everything >> at & 1:
-                        ones += 1
-                        at += 1
-                    codes[axis].append((ones << k | everything >> at + 1 & ((1 << k) - 1)) & MASK)
-                    at += 1 + k
-            require(sizes[axis] == (at + 7) // 8, "positions of another length")
+        unary_sizes = [side.number(), side.number()]
+        low_sizes = [low_size(blocks, parameters[axis * len(blocks):]) for axis in range(3)]
+        unary_sizes.append(len(data) - sum(low_sizes) - sum(unary_sizes))
+        bits = Stream(data)
+        lows = [bits.take(size) for size in low_sizes]
+        codes = [rice_codes(blocks, parameters[axis * len(blocks):], lows[axis], bits.take(unary_sizes[axis]))
+                 for axis in range(3)]
         points = []
         for i in range(count):
             basis = bases.get(i, [])
             if len(basis) == 3:
                 a, b, c = (points[p] for p in basis)
-                expected = [a[k] + b[k] - c[k] for k in range(3)]
+                expected = [a[k] + b[k] - c[k] - (signed(a[k] + b[k] - 2 * c[k]) >> 2) * near for k in range(3)]
             else:
                 expected = points[basis[0]] if basis else points[-1] if points else self.corner
             place = []
@@ -402,28 +412,78 @@ class Patch:
             place[old] = new
         self.points = [points[i] for i in order]
         self.wedges = None
-        wedge_place = place
+        self.wedge_place = wedge_place = place
         if wedge_points is not None:
             wedge_order = sorted(range(len(wedge_points)), key=lambda w: (place[wedge_points[w]], w))
             wedge_place = [0] * len(wedge_points)
             for new, old in enumerate(wedge_order):
                 wedge_place[old] = new
+            self.wedge_place = wedge_place
             self.wedges = [place[wedge_points[w]] for w in wedge_order]
         self.triangles = [tuple(wedge_place[w] for w in t) for t in triangles]
 
 
-def unpack_numbers(packed, tuples, components, size, has_differences=True):
+def low_size(blocks, parameters):
+    return sum((size * k + 7) // 8 for size, k in zip(blocks, parameters))
+
+
+def rice_codes(blocks, parameters, low, unary):
+    """The codes of blocks that have so many: their low bits, and what is above them in unary."""
+    unary_bits = int.from_bytes(unary, "little")
+    at = low_at = 0
+    codes = []
+    for size, k in zip(blocks, parameters):
+        low_bytes = (size * k + 7) // 8
+        lows = int.from_bytes(low[low_at:low_at + low_bytes], "little")
+        low_at += low_bytes
+        for i in range(size):
+            zeros = 0
+            while not unary_bits >> at & 1:
+                require(at < 8 * len(unary), "the unary codes are too short")
+                zeros += 1
+                at += 1
+            at += 1
+            codes.append((zeros << k | lows >> (i * k) & ((1 << k) - 1)) & MASK)
+    require(unary_bits >> at == 0 and len(unary) == (at + 7) // 8, "the unary codes are too long")
+    return codes
+
+
+def unpack_numbers(packed, before, components, size):
+    """before: for each tuple one that precedes it, or None."""
+    tuples = len(before)
     plane = tuples * components
     columns = []
     for c in range(components):
-        before = 0
         columns.append([])
         for i in range(tuples):
             code = sum(packed[byte * plane + c * tuples + i] << (8 * byte) for byte in range(size))
-            before = (before + unzigzag(code, 8 * size)) & ((1 << 8 * size) - 1)
-            columns[-1].append(before)
-            before = before if has_differences else 0
+            known = 0 if before[i] is None else columns[c][before[i]]
+            columns[c].append((known + unzigzag(code, 8 * size)) & ((1 << 8 * size) - 1))
     return columns
+
+
+def unpack_directions(data, bases):
+    count = len(bases)
+    *first, unary_size = struct.unpack_from("<HHI", data)
+    blocks = [min(64, count - begin) for begin in range(0, count, 64)]
+    parameters = data[8:8 + len(blocks)]
+    stream = Stream(data[8 + len(blocks):])
+    k = [[p & 15 for p in parameters], [p >> 4 for p in parameters]]
+    lows = [stream.take(low_size(blocks, k[axis])) for axis in range(2)]
+    unary = [stream.take(unary_size), stream.take(len(stream.data) - stream.at - unary_size)]
+    places = []
+    for axis in range(2):
+        codes = rice_codes(blocks, k[axis], lows[axis], unary[axis])
+        known = []
+        for i, basis in enumerate(bases):
+            if len(basis) == 3:
+                a, b, c = (known[w] for w in basis)
+                expected = (3 * (a + b) - 2 * c + 2) >> 2
+            else:
+                expected = known[basis[0]] if basis else known[i - 1] if i else first[axis]
+            known.append((expected + unzigzag(codes[i], 16)) & 0xFFFF)
+        places.append(known)
+    return [direction(a, b) for a, b in zip(*places)]
 
 
 def single(x):
@@ -442,20 +502,29 @@ def direction(u, v):
     return (x / length, y / length, z / length)
 
 
-def read_column(array, arc, codec, data):
-    tuples = arc[2] if array.association else arc[4]
+def read_column(array, arc, patch, codec, data):
+    of_cells = array.association == 1
+    tuples = arc[2] if of_cells else arc[4]
     if array.role == 3 and not data:
         return data
     if codec == 0:
         require(len(data) == tuples * array.tuple_size, "a column of another length")
         return data
-    if array.role == 2:
-        u, v = unpack_numbers(decompress(codec, data, 4 * tuples), tuples, 2, 2)
-        return b"".join(struct.pack("<3f", *direction(a, b)) for a, b in zip(u, v))
     size = array.tuple_size // array.components
-    packed = decompress(codec, data, tuples * array.tuple_size)
-    columns = unpack_numbers(packed, tuples, array.components, size, array.role != 3)
-    return b"".join(x.to_bytes(size, "little") for values in zip(*columns) for x in values)
+    if array.role == 2 and not of_cells and array.tuple_size == 12:
+        values = [struct.pack("<3f", *d) for d in unpack_directions(data, patch.wedge_bases)]
+    else:
+        known = patch.behind if of_cells else [basis[0] if basis else None for basis in patch.wedge_bases]
+        before = [i - 1 if b is None and i else b for i, b in enumerate(known)]
+        before = [None] * tuples if array.role == 3 else before
+        columns = unpack_numbers(decompress(codec, data, tuples * array.tuple_size), before, array.components, size)
+        values = [b"".join(x.to_bytes(size, "little") for x in v) for v in zip(*columns)]
+    if of_cells:
+        return b"".join(values)
+    placed = [b""] * tuples
+    for w, value in enumerate(values):
+        placed[patch.wedge_place[w]] = value
+    return b"".join(placed)
 
 
 def flatten(tuples):
@@ -472,7 +541,7 @@ def dump(model, out):
         out.write(struct.pack(f"<{len(patch.ids)}Q{len(table)}I", *patch.ids, *table))
         out.write(struct.pack(f"<{3 * len(patch.triangles)}I", *flatten(patch.triangles)))
         for j, array in enumerate(model.arrays):
-            out.write(read_column(array, arc, *model.section(first + 1 + j)))
+            out.write(read_column(array, arc, patch, *model.section(first + 1 + j)))
     for i in range(len(model.blobs)):
         out.write(model.section(len(model.arcs) * (1 + len(model.arrays)) + i)[1])
 
