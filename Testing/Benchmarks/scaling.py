@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Builds fractal spheres of growing size, and prints the table of what each took.
 
-usage: scaling.py BIN WORK [--triangles N ...] [--memory SIZE ...] [--threads N ...] [--mesh FILE ...]
+usage: scaling.py BIN WORK [--triangles N ...] [--memory SIZE ...] [--threads N ...] [--mesh FILE ...] [--keep]
 
-BIN holds bmt and meshopt_yardstick; WORK takes meshes and models, which are deleted when they are no longer needed.
+BIN holds bmt and meshopt_yardstick; WORK takes meshes and models, which are deleted when they are no longer needed; --keep leaves
+WORK/MESH.bmt for other benchmarks.
 Peak memory is the resident size as the operating system counted it for the whole process, CPU seconds are user and
 system. The yardstick is meshopt_simplify of the whole mesh to half its triangles with locked borders, in the same run;
 it needs the mesh in memory and is left out above --yardstick triangles.
@@ -37,7 +38,7 @@ def mebi(size):
 
 
 def row(arguments, mesh, threads, memory):
-    model = arguments.work / "scaling.bmt"
+    model = arguments.work / (mesh.stem + ".bmt")
     options = ["--temp", arguments.work, "--threads", threads] + (["--memory", memory] if memory else [])
     built, cpu, wall, peak = run(arguments.bin / "bmt", "build", mesh, "-o", model, "--json", *options)
     triangles = built["triangles"]
@@ -47,7 +48,8 @@ def row(arguments, mesh, threads, memory):
         other, _, _, _ = run(arguments.bin / "meshopt_yardstick", mesh, half, triangles // 2, "--lock-border")
         ratio = f"{triangles / other['cpu_s'] / 1000:.0f} ({triangles / cpu / (triangles / other['cpu_s']):.2f})"
         half.unlink()
-    model.unlink()
+    if not arguments.keep:
+        model.unlink()
     print(f"| {triangles} | {threads} | {memory or 'default'} | {cpu:.1f} | {wall:.1f} | {triangles / cpu / 1000:.0f} | {ratio} "
           f"| {mebi(peak)} | {mebi(built['temporary_bytes'])} | {built['bytes_per_triangle']:.1f} | {built['levels']} "
           f"| {built['patches']} | {built['root_triangles']} |", flush=True)
@@ -61,6 +63,7 @@ def main():
     parser.add_argument("--memory", nargs="*", default=[""])
     parser.add_argument("--threads", type=int, nargs="*", default=[2])
     parser.add_argument("--mesh", type=pathlib.Path, nargs="*", default=[], help="meshes in place of spheres")
+    parser.add_argument("--keep", action="store_true")
     parser.add_argument("--yardstick", type=int, default=6000000)
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
