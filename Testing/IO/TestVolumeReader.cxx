@@ -90,6 +90,32 @@ TEST(VolumeReader, EveryFormatGivesTheSameIsosurface)
   std::filesystem::remove_all(folder);
 }
 
+TEST(VolumeReader, EmptySpaceThatLzmaPacksBelowAnOctetPerThousandSamplesIsNoDamage)
+{
+  constexpr int Length = 160;
+  vtkNew<vtkImageData> volume;
+  volume->SetDimensions(Length, Length, Length);
+  volume->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  volume->GetPointData()->GetScalars()->Fill(0.0);
+  volume->SetScalarComponentFromDouble(80, 80, 80, 0, 200.0);
+  const std::string path = std::string(MT_TEST_OUTPUT_DIRECTORY) + "/almost_empty.vti";
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetCompressorTypeToLZMA();
+  writer->SetBlockSize(1 << 22);
+  writer->SetInputData(volume);
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  const double ratio =
+    static_cast<double>(volume->GetNumberOfPoints()) / static_cast<double>(std::filesystem::file_size(path));
+  std::printf("%.0f samples per byte\n", ratio);
+  ASSERT_GT(ratio, 1100.0);
+  vtkNew<vtkPolyData> mesh;
+  std::string error;
+  EXPECT_TRUE(vtkMTVolumeReader::ReadIsosurface(path, 100.0, false, mesh, error)) << error;
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 8);
+  std::filesystem::remove(path);
+}
+
 namespace
 {
 using Corners = std::array<std::array<double, 3>, 3>;
