@@ -101,7 +101,9 @@ void Foresee(const vtkMTPatchOrder& order, vtkMTTraversal& traversal)
 {
   std::vector<unsigned char> steps = order.Steps;
   steps.resize(steps.size() + Slack, 0);
-  vtkMTTriangleCodec::Decode(steps.data(), order.Steps.size(), order.Names.data(), order.Names.size(),
+  std::vector<unsigned char> names = order.Names;
+  names.resize(names.size() + Slack, 0);
+  vtkMTTriangleCodec::Decode(steps.data(), order.Steps.size(), names.data(), order.Names.size(),
     order.Patch.Triangles.size(), order.Patch.GetNumberOfWedges(), traversal.Mesh);
   traversal.WedgePoints = order.WedgePoints;
   traversal.WedgeOfStream = vtkMTPatchOrder::PlaceWedges(order.WedgePoints, order.PointOfStream);

@@ -10,17 +10,51 @@ namespace
 using vtkMTTriangleCodec::Basis;
 using vtkMTTriangleCodec::None;
 
-// In the order of their codes: as many ones as the step's number, then a zero, which the last one does without.
-enum Step : unsigned
+enum Step : unsigned char
 {
-  New = 0,
-  Right = 1,   // the third vertex is the end of the next edge of the front
-  Left = 2,    // it is the start of the previous one
-  Nothing = 3, // no triangle is behind the gate
-  Named = 4,
-  Both = 5 // right and left at once
+  New,
+  Right,   // the third vertex is the end of the next edge of the front
+  Left,    // it is the start of the previous one
+  Nothing, // no triangle is behind the gate
+  Named,
+  Both, // right and left at once
+  Impossible
 };
-constexpr unsigned NumberOfSteps = 6;
+
+// A step is said by so many ones, then a zero, which the last one does without.
+constexpr unsigned MostOnes = 5;
+
+// What the ones mean depends on what both sides of the codec know of the gate. What comes oftenest there is first, and
+// what cannot be has no code. That a vertex is new is one zero always: it is known before the gate has been looked at.
+enum Situation : std::uint32_t
+{
+  LeansLeft = 1, // it is the left one of two, or took the place of the next one: it is rather joined to the previous
+  NextIsOpen = 2,
+  PreviousIsOpen = 4,
+  BothAreOpen = NextIsOpen | PreviousIsOpen
+};
+using StepRow = std::array<Step, 8>;
+
+constexpr StepRow GetSteps(bool leansLeft, bool isNextOpen, bool isPreviousOpen)
+{
+  if (isNextOpen && isPreviousOpen)
+  {
+    return { New, leansLeft ? Left : Right, leansLeft ? Right : Left, Named, Nothing, Both, Impossible, Impossible };
+  }
+  if (isNextOpen || isPreviousOpen)
+  {
+    return { New, Nothing, isNextOpen ? Right : Left, Named, Impossible, Impossible, Impossible, Impossible };
+  }
+  return { New, Nothing, Named, Impossible, Impossible, Impossible, Impossible, Impossible };
+}
+
+// By situation and number of ones.
+constexpr StepRow Steps[8] = { GetSteps(false, false, false), GetSteps(true, false, false),
+  GetSteps(false, true, false), GetSteps(true, true, false), GetSteps(false, false, true), GetSteps(true, false, true),
+  GetSteps(false, true, true), GetSteps(true, true, true) };
+
+// A vertex that is named is mostly a few gates away along the front.
+constexpr std::uint32_t MostWalk = 16;
 constexpr unsigned MostNameBits = 31;
 
 // What is kept from patch to patch only grows.
@@ -111,18 +145,41 @@ public:
   std::uint32_t GetRight(std::uint32_t gate) const { return this->Gates[this->Gates[gate].Next].To; }
   std::uint32_t GetLeft(std::uint32_t gate) const { return this->Gates[this->Gates[gate].Previous].From; }
 
+  bool IsAlone(std::uint32_t gate) const { return this->Gates[gate].Next == gate; }
+  bool HasTwoNeighbours(std::uint32_t gate) const
+  {
+    return !this->IsAlone(gate) && this->Gates[gate].Next != this->Gates[gate].Previous;
+  }
+
+  // The vertex that is so many gates away: 1 the end of the gate behind the next one, 2 the start of that before the
+  // previous one, 3 and 4 those one farther, and so on.
+  std::uint32_t Walk(std::uint32_t gate, std::uint32_t walk) const
+  {
+    const bool isRight = walk % 2 != 0;
+    for (std::uint32_t i = 0; i < (walk + 3) / 2; ++i)
+    {
+      gate = this->GetNeighbour(gate, isRight);
+    }
+    return isRight ? this->Gates[gate].To : this->Gates[gate].From;
+  }
+
   void Start(const vtkMTTriangle& t, std::uint32_t triangle)
   {
     const std::uint32_t first = this->Count;
     for (std::uint32_t c = 0; c < 3; ++c)
     {
-      const std::uint32_t gate = this->Add(t[c], t[(c + 1) % 3], t[(c + 2) % 3], triangle);
+      const std::uint32_t gate = this->Add(t[c], t[(c + 1) % 3], t[(c + 2) % 3], triangle, BothAreOpen);
       this->Gates[gate].Previous = first + (c + 2) % 3;
       this->Gates[gate].Next = first + (c + 1) % 3;
     }
   }
 
-  void MakeBorder(std::uint32_t gate) { this->Gates[gate].State = Border; }
+  void MakeBorder(std::uint32_t gate)
+  {
+    this->Gates[gate].State = Border;
+    this->Gates[this->Gates[gate].Next].Beside &= ~PreviousIsOpen;
+    this->Gates[this->Gates[gate].Previous].Beside &= ~NextIsOpen;
+  }
 
   // The gate gives way to two that go by the third vertex.
   void Split(std::uint32_t gate, std::uint32_t vertex, std::uint32_t triangle)
@@ -131,8 +188,10 @@ public:
     const std::uint32_t to = this->Gates[gate].To;
     const std::uint32_t previous = this->Gates[gate].Previous;
     const std::uint32_t next = this->Gates[gate].Next;
-    const std::uint32_t left = this->Add(from, vertex, to, triangle);
-    const std::uint32_t right = this->Add(vertex, to, from, triangle);
+    const std::uint32_t beside = this->Gates[gate].Beside;
+    const std::uint32_t left =
+      this->Add(from, vertex, to, triangle, LeansLeft | NextIsOpen | (beside & PreviousIsOpen));
+    const std::uint32_t right = this->Add(vertex, to, from, triangle, PreviousIsOpen | (beside & NextIsOpen));
     this->Link(previous == gate ? right : previous, left);
     this->Link(left, right);
     this->Link(right, next == gate ? left : next);
@@ -154,7 +213,9 @@ public:
     const std::uint32_t after = this->Gates[second].Next;
     // The neighbour is the one that would be asked next more often than not; it is passed over.
     this->Head += neighbour == this->Head ? 1 : 0;
-    const std::uint32_t joined = this->Add(this->Gates[first].From, this->Gates[second].To, across, triangle);
+    const std::uint32_t beside = (this->Gates[first].Beside & PreviousIsOpen) |
+      (this->Gates[second].Beside & NextIsOpen) | LeansLeft * static_cast<std::uint32_t>(isRight);
+    const std::uint32_t joined = this->Add(this->Gates[first].From, this->Gates[second].To, across, triangle, beside);
     this->Link(before == second ? joined : before, joined);
     this->Link(joined, after == first ? joined : after);
     this->Gates[first].State = this->Gates[second].State = Gone;
@@ -170,6 +231,10 @@ public:
       const std::uint32_t right = this->Count - 1;
       this->Link(this->Gates[there].Previous, right);
       this->Link(right - 1, there);
+      this->LookBeside(this->Gates[right].Previous);
+      this->LookBeside(right);
+      this->LookBeside(right - 1);
+      this->LookBeside(there);
     }
   }
 
@@ -181,6 +246,8 @@ public:
     const std::uint32_t after = this->Gates[g.Next].Next;
     this->Gates[gate].State = this->Gates[g.Previous].State = this->Gates[g.Next].State = Gone;
     this->Link(before, after);
+    this->LookBeside(before);
+    this->LookBeside(after);
   }
 
   // The starts of the gates that follow each other from this one, as far as they have not been asked for yet.
@@ -195,7 +262,8 @@ public:
 
 private:
   // Field by field: a gate that was copied as a whole could not be read again before the copy is through.
-  std::uint32_t Add(std::uint32_t from, std::uint32_t to, std::uint32_t across, std::uint32_t triangle)
+  std::uint32_t Add(
+    std::uint32_t from, std::uint32_t to, std::uint32_t across, std::uint32_t triangle, std::uint32_t beside)
   {
     const std::uint32_t gate = this->Count++;
     this->Gates[gate].From = from;
@@ -203,6 +271,7 @@ private:
     this->Gates[gate].Across = across;
     this->Gates[gate].Owner = triangle;
     this->Gates[gate].State = Open;
+    this->Gates[gate].Beside = beside;
     this->GateFrom[from] = gate;
     return gate;
   }
@@ -213,6 +282,14 @@ private:
     this->Gates[b].Previous = a;
   }
 
+  // After it got other neighbours, of which it is not known that they are open.
+  void LookBeside(std::uint32_t gate)
+  {
+    Gate& g = this->Gates[gate];
+    g.Beside = (g.Beside & LeansLeft) | NextIsOpen * static_cast<std::uint32_t>(this->IsOpen(g.Next)) |
+      PreviousIsOpen * static_cast<std::uint32_t>(this->IsOpen(g.Previous));
+  }
+
   Gate* Gates;
   std::uint32_t* GateFrom;                             // the latest that leaves a vertex
   std::vector<vtkMTTriangleCodec::GateRange>* Waiting; // of earlier cells
@@ -221,41 +298,56 @@ private:
   std::uint32_t TakenInCell = 0;
 };
 
-// Which of the steps closes the gate with that vertex, if it is on the front beside it. The front's links are a help
-// only: both sides of the codec follow the same ones, whatever the triangles are.
-unsigned FindStep(const Front& front, std::uint32_t gate, std::uint32_t vertex)
+// Which of the steps closes the gate with that vertex, if it is on the front beside it.
+Step FindStep(const Front& front, std::uint32_t gate, std::uint32_t vertex)
 {
   const Front::Gate& g = front.Get(gate);
-  const bool isRight = g.Next != gate && front.IsOpen(g.Next) && front.GetRight(gate) == vertex;
-  const bool isLeft = g.Previous != gate && front.IsOpen(g.Previous) && front.GetLeft(gate) == vertex;
-  if (isRight && isLeft && g.Next != g.Previous)
+  const bool isRight = !front.IsAlone(gate) && (g.Beside & NextIsOpen) != 0 && front.GetRight(gate) == vertex;
+  const bool isLeft = !front.IsAlone(gate) && (g.Beside & PreviousIsOpen) != 0 && front.GetLeft(gate) == vertex;
+  if (isRight && isLeft && front.HasTwoNeighbours(gate))
   {
     return Both;
   }
   return isRight ? Right : (isLeft ? Left : Named);
 }
 
-// The decoder may take this step: the neighbours must be two open gates of their own.
-bool MayJoinBoth(const Front& front, std::uint32_t gate)
+// By how many gates it is named; 0 when it is not near.
+std::uint32_t FindWalk(const Front& front, std::uint32_t gate, std::uint32_t vertex)
 {
-  const Front::Gate& g = front.Get(gate);
-  return g.Next != gate && front.IsOpen(g.Next) && g.Previous != gate && front.IsOpen(g.Previous) &&
-    g.Next != g.Previous;
+  std::uint32_t walk = 1;
+  while (walk <= MostWalk && front.Walk(gate, walk) != vertex)
+  {
+    ++walk;
+  }
+  return walk <= MostWalk ? walk : 0;
 }
 
 //------------------------------------------------------------------------------
 class BitWriter
 {
 public:
-  void Put(unsigned step)
+  void Put(Step step, std::uint32_t situation)
   {
-    for (unsigned i = 0; i < step; ++i)
+    unsigned ones = 0;
+    for (; Steps[situation][ones] != step; ++ones)
     {
       this->PutBit(true);
     }
-    if (step + 1 < NumberOfSteps)
+    if (ones < MostOnes)
     {
       this->PutBit(false);
+    }
+  }
+  void PutRice(std::uint32_t number, unsigned parameter)
+  {
+    for (std::uint32_t ones = number >> parameter; ones > 0; --ones)
+    {
+      this->PutBit(true);
+    }
+    this->PutBit(false);
+    for (unsigned i = 0; i < parameter; ++i)
+    {
+      this->PutBit((number >> i & 1) != 0);
     }
   }
   void PutBit(bool bit)
@@ -285,14 +377,14 @@ public:
     , Size(size)
   {
   }
-  // NumberOfSteps when the bits have ended, or some time after.
+  // How many ones; more than there may be when the bits have ended, or some time after.
   unsigned Get()
   {
-    if (this->Have < NumberOfSteps)
+    if (this->Have <= MostOnes)
     {
       if (this->At > this->Size)
       {
-        return NumberOfSteps;
+        return MostOnes + 1;
       }
       std::uint64_t more;
       std::memcpy(&more, this->Bytes + this->At, sizeof(more));
@@ -300,9 +392,8 @@ public:
       this->At += (63 - this->Have) / 8;
       this->Have |= 56;
     }
-    const auto ones =
-      static_cast<unsigned>(__builtin_ctzll(~this->Pending | (std::uint64_t(1) << (NumberOfSteps - 1))));
-    const unsigned length = ones + (ones + 1 < NumberOfSteps ? 1 : 0);
+    const auto ones = static_cast<unsigned>(__builtin_ctzll(~this->Pending | (std::uint64_t(1) << MostOnes)));
+    const unsigned length = ones + (ones < MostOnes ? 1 : 0);
     this->Pending >>= length;
     this->Have -= length;
     return ones;
@@ -323,15 +414,21 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Names as Rice codes: a byte with the parameter, then the bits.
-std::vector<unsigned char> WriteNames(const std::vector<std::uint32_t>& names)
+// What is named, in order: how far away along the front, and how long ago a vertex was met.
+struct Name
 {
-  const auto count = [&names](unsigned parameter)
+  std::uint32_t Number;
+  bool IsWalk;
+};
+
+unsigned ChooseNameParameter(const std::vector<Name>& names, bool ofWalks)
+{
+  const auto count = [&](unsigned parameter)
   {
     std::uint64_t bits = 0;
-    for (const std::uint32_t name : names)
+    for (const Name& name : names)
     {
-      bits += (name >> parameter) + 1 + parameter;
+      bits += name.IsWalk == ofWalks ? (name.Number >> parameter) + 1 + parameter : 0;
     }
     return bits;
   };
@@ -340,19 +437,18 @@ std::vector<unsigned char> WriteNames(const std::vector<std::uint32_t>& names)
   {
     best = count(parameter) < count(best) ? parameter : best;
   }
+  return best;
+}
+
+// Names as Rice codes: two bytes with the parameters of the two kinds, then the bits.
+std::vector<unsigned char> WriteNames(const std::vector<Name>& names)
+{
+  const unsigned parameters[2] = { ChooseNameParameter(names, false), ChooseNameParameter(names, true) };
   BitWriter writer;
-  writer.Bytes.push_back(static_cast<unsigned char>(best));
-  for (const std::uint32_t name : names)
+  writer.Bytes = { static_cast<unsigned char>(parameters[0]), static_cast<unsigned char>(parameters[1]) };
+  for (const Name& name : names)
   {
-    for (std::uint32_t ones = name >> best; ones > 0; --ones)
-    {
-      writer.PutBit(true);
-    }
-    writer.PutBit(false);
-    for (unsigned i = 0; i < best; ++i)
-    {
-      writer.PutBit((name >> i & 1) != 0);
-    }
+    writer.PutRice(name.Number, parameters[name.IsWalk ? 1 : 0]);
   }
   return names.empty() ? std::vector<unsigned char>() : std::move(writer.Bytes);
 }
@@ -360,49 +456,62 @@ std::vector<unsigned char> WriteNames(const std::vector<std::uint32_t>& names)
 class NameReader
 {
 public:
+  // Eight bytes behind the end are read and not looked at.
   NameReader(const unsigned char* bytes, std::size_t size)
-    : Bytes(bytes + (size > 0 ? 1 : 0))
-    , Size(size > 0 ? 8 * (size - 1) : 0)
-    , Parameter(size > 0 ? bytes[0] : 0)
+    : Bytes(bytes + (size >= 2 ? 2 : 0))
+    , Size(size >= 2 ? 8 * (size - 2) : 0)
+    , Parameters{ size >= 2 ? bytes[0] : MostNameBits + 1, size >= 2 ? bytes[1] : MostNameBits + 1 }
+    , IsWhole(size != 1)
   {
   }
-  bool Get(std::uint64_t& name)
-  {
-    std::uint64_t ones = 0;
-    for (; this->At < this->Size && this->IsSet(this->At); ++this->At)
-    {
-      ++ones;
-    }
-    if (this->Parameter > MostNameBits || this->Size - this->At < 1 + this->Parameter)
-    {
-      return false;
-    }
-    ++this->At;
-    name = ones << this->Parameter;
-    for (unsigned i = 0; i < this->Parameter; ++i, ++this->At)
-    {
-      name |= std::uint64_t(this->IsSet(this->At)) << i;
-    }
-    return true;
-  }
+  // How long ago a vertex was met.
+  bool GetBack(std::uint64_t& back) { return this->Get(this->Parameters[0], back); }
+  // How far away it is.
+  bool GetWalk(std::uint64_t& walk) { return this->Get(this->Parameters[1], walk); }
   // Whether nothing but the zeros that fill the last byte are left.
-  bool IsAtEnd() const
-  {
-    std::size_t at = this->At;
-    while (at < this->Size && !this->IsSet(at))
-    {
-      ++at;
-    }
-    return at == this->Size && this->Size - this->At < 8;
-  }
+  bool IsAtEnd() const { return this->IsWhole && this->Size - this->At < 8 && this->Load() == 0; }
 
 private:
-  bool IsSet(std::size_t bit) const { return (this->Bytes[bit / 8] >> (bit % 8) & 1) != 0; }
+  bool Get(unsigned parameter, std::uint64_t& name)
+  {
+    std::uint64_t ones = 0;
+    std::uint64_t bits = this->Load();
+    for (; ~bits == 0 || static_cast<std::size_t>(__builtin_ctzll(~bits)) >= LoadedBits; bits = this->Load())
+    {
+      ones += LoadedBits;
+      this->At += LoadedBits;
+    }
+    const auto last = static_cast<unsigned>(__builtin_ctzll(~bits));
+    this->At += last + 1;
+    if (parameter > MostNameBits || this->At > this->Size || this->Size - this->At < parameter)
+    {
+      this->At = this->Size;
+      return false;
+    }
+    name = ((ones + last) << parameter) | (this->Load() & ((std::uint64_t(1) << parameter) - 1));
+    this->At += parameter;
+    return true;
+  }
+  // The bits from here on, at least 57; those behind the end are 0.
+  std::uint64_t Load() const
+  {
+    if (this->At >= this->Size)
+    {
+      return 0;
+    }
+    std::uint64_t bits;
+    std::memcpy(&bits, this->Bytes + this->At / 8, sizeof(bits));
+    bits >>= this->At % 8;
+    const std::size_t left = this->Size - this->At;
+    return left < 64 ? bits & ((std::uint64_t(1) << left) - 1) : bits;
+  }
+  static constexpr std::size_t LoadedBits = 57;
 
   const unsigned char* Bytes;
   std::size_t Size; // bits
   std::size_t At = 0;
-  unsigned Parameter;
+  unsigned Parameters[2];
+  bool IsWhole;
 };
 
 //------------------------------------------------------------------------------
@@ -551,7 +660,7 @@ private:
     const vtkMTTriangle& t = this->Triangles[triangle];
     for (std::uint32_t v : t)
     {
-      this->Name(v);
+      this->PutName(v);
     }
     this->Behind.Finish(triangle);
     this->Growing.Start(t, this->GetDone());
@@ -560,27 +669,38 @@ private:
   }
 
   // 0 is a new vertex, k the k-th last one that was met.
-  void Name(std::uint32_t vertex)
+  void PutName(std::uint32_t vertex)
   {
     const bool isNew = this->Number[vertex] == None;
-    this->Names.push_back(isNew ? 0 : this->Met - this->Number[vertex]);
+    this->Names.push_back({ isNew ? 0 : this->Met - this->Number[vertex], false });
     this->Number[vertex] = isNew ? this->Met++ : this->Number[vertex];
+  }
+
+  void PutWalk(std::uint32_t gate, std::uint32_t vertex)
+  {
+    const std::uint32_t walk = FindWalk(this->Growing, gate, vertex);
+    this->Names.push_back({ walk, true });
+    if (walk == 0)
+    {
+      this->PutName(vertex);
+    }
   }
 
   void Cross(std::uint32_t gate)
   {
     const Front::Gate g = this->Growing.Get(gate);
     const Edges::Corner behind = this->Behind.Find(g.To, g.From);
+    const std::uint32_t situation = g.Beside;
     if (behind.Triangle == None)
     {
-      this->Steps.Put(Nothing);
+      this->Steps.Put(Nothing, situation);
       this->Growing.MakeBorder(gate);
       return;
     }
     const std::uint32_t third = this->Triangles[behind.Triangle][(behind.Index + 2) % 3];
     const bool isNew = this->Number[third] == None;
-    const unsigned step = isNew ? New : FindStep(this->Growing, gate, third);
-    this->Steps.Put(step);
+    const Step step = isNew ? New : FindStep(this->Growing, gate, third);
+    this->Steps.Put(step, situation);
     switch (step)
     {
       case New:
@@ -594,7 +714,7 @@ private:
         this->Growing.JoinBoth(gate);
         break;
       default:
-        this->Name(third);
+        this->PutWalk(gate, third);
         this->Growing.SplitAt(gate, third, this->GetDone());
     }
     this->Number[third] = isNew ? this->Met++ : this->Number[third];
@@ -610,7 +730,7 @@ private:
   std::vector<std::uint32_t> Number;
   std::uint32_t Met = 0;
   BitWriter Steps;
-  std::vector<std::uint32_t> Names;
+  std::vector<Name> Names;
   vtkMTTriangleCodec::Coded Result;
 };
 
@@ -666,10 +786,11 @@ private:
     }
   }
 
-  bool Name(std::uint32_t before, std::uint32_t& vertex)
+  bool TakeName(std::uint32_t before, std::uint32_t& vertex)
   {
     std::uint64_t back = 0;
-    if (!this->Names.Get(back) || back > this->Now.Met || (back == 0 && this->Now.Met == this->Out.NumberOfVertices))
+    if (!this->Names.GetBack(back) || back > this->Now.Met ||
+      (back == 0 && this->Now.Met == this->Out.NumberOfVertices))
     {
       return false;
     }
@@ -687,7 +808,7 @@ private:
     std::uint32_t before = None;
     for (std::uint32_t& vertex : t)
     {
-      if (!this->Name(before, vertex))
+      if (!this->TakeName(before, vertex))
       {
         return false;
       }
@@ -703,36 +824,22 @@ private:
   bool Cross(std::uint32_t gate)
   {
     Cursor now = this->Now;
-    unsigned step = New;
+    Step step = New;
     const std::uint32_t end = this->Out.NumberOfTriangles;
     for (; gate != None; gate = now.Done < end ? now.Growing.PopOfCell() : None)
     {
-      step = now.Steps.Get();
-      if (step == New && now.Met < this->Out.NumberOfVertices)
+      const unsigned ones = now.Steps.Get();
+      const std::uint32_t situation = now.Growing.Get(gate).Beside;
+      step = Steps[situation][ones];
+      if (ones == 0 && now.Met < this->Out.NumberOfVertices)
       {
         this->TakeNew(now, gate);
       }
-      else if (step == Nothing)
+      else if (ones - 1 < 2 && situation >= BothAreOpen && !now.Growing.IsAlone(gate))
       {
-        now.Growing.MakeBorder(gate);
-        this->BorderGates[now.Borders++] = gate;
+        this->TakeJoin(now, gate, ones - 1 == (situation & LeansLeft));
       }
-      else if (step == Right || step == Left)
-      {
-        const std::uint32_t neighbour = now.Growing.GetNeighbour(gate, step == Right);
-        if (neighbour == gate || !now.Growing.IsOpen(neighbour))
-        {
-          break;
-        }
-        this->TakeJoin(now, gate, neighbour, step == Right);
-      }
-      else if (step == Both && MayJoinBoth(now.Growing, gate))
-      {
-        this->Put(now, now.Growing.Get(gate), now.Growing.GetRight(gate));
-        now.Growing.JoinBoth(gate);
-        ++now.Done;
-      }
-      else
+      else if (!this->TakeOther(now, gate, step))
       {
         break;
       }
@@ -752,11 +859,37 @@ private:
     now.Growing.Split(gate, now.Met++, now.Done++);
   }
 
-  void TakeJoin(Cursor& now, std::uint32_t gate, std::uint32_t neighbour, bool isRight)
+  void TakeJoin(Cursor& now, std::uint32_t gate, bool isRight)
   {
+    const std::uint32_t neighbour = now.Growing.GetNeighbour(gate, isRight);
     const Front::Gate& other = now.Growing.Get(neighbour);
     this->Put(now, now.Growing.Get(gate), isRight ? other.To : other.From);
     now.Growing.Join(gate, neighbour, isRight, now.Done++);
+  }
+
+  // What comes less often. False when the vertex is named, and when the step is impossible. Inlined, as the cursor
+  // would have to be in memory for a call.
+  [[gnu::always_inline]] bool TakeOther(Cursor& now, std::uint32_t gate, Step step)
+  {
+    if (step == Nothing)
+    {
+      now.Growing.MakeBorder(gate);
+      this->BorderGates[now.Borders++] = gate;
+      return true;
+    }
+    if (step == Both && now.Growing.HasTwoNeighbours(gate))
+    {
+      this->Put(now, now.Growing.Get(gate), now.Growing.GetRight(gate));
+      now.Growing.JoinBoth(gate);
+      ++now.Done;
+      return true;
+    }
+    const bool isJoin = (step == Right || step == Left) && !now.Growing.IsAlone(gate);
+    if (isJoin)
+    {
+      this->TakeJoin(now, gate, step == Right);
+    }
+    return isJoin;
   }
 
   // The triangle behind a gate.
@@ -771,12 +904,15 @@ private:
 
   bool CrossToNamed(std::uint32_t gate)
   {
+    std::uint64_t walk = 0;
     std::uint64_t back = 0;
-    if (!this->Names.Get(back) || back == 0 || back > this->Now.Met)
+    if (!this->Names.GetWalk(walk) || walk > MostWalk ||
+      (walk == 0 && (!this->Names.GetBack(back) || back == 0 || back > this->Now.Met)))
     {
       return false;
     }
-    const std::uint32_t third = this->Now.Met - static_cast<std::uint32_t>(back);
+    const std::uint32_t third = walk == 0 ? this->Now.Met - static_cast<std::uint32_t>(back)
+                                          : this->Now.Growing.Walk(gate, static_cast<std::uint32_t>(walk));
     this->Put(this->Now, this->Now.Growing.Get(gate), third);
     this->Now.Growing.SplitAt(gate, third, this->Now.Done++);
     return true;

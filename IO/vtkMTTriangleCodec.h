@@ -8,7 +8,8 @@
  * front's next or previous edge, both at once, or one that was met before and is named; or there is none. When no
  * gate is left, a triangle starts with three vertices that are named. Vertices are numbered as they are met (the
  * *stream order*), so nothing else has to be said, and every new vertex comes with the triangle across its gate, from
- * which its place can be expected.
+ * which its place can be expected. How a step is said depends on
+ * whether the gates beside are open and how the gate was made; gates know both, so the decoder waits for nothing else.
  *
  * Gates are taken in the order in which they were made, cell by cell: after so many, what is left waits on a stack and
  * the next cell grows from one gate of it. Cells are small compact pieces, so the triangles, which are kept in this
@@ -59,7 +60,7 @@ struct Gate
   std::uint32_t Previous;
   std::uint32_t Next;
   std::uint32_t State;
-  std::uint32_t Unused; // a power of two is found faster
+  std::uint32_t Beside; ///< bits: what decides how the next step is said
 };
 struct GateRange
 {
@@ -92,7 +93,7 @@ struct Decoded
 };
 
 /// Replaces what `decoded` holds by so many triangles of at most so many vertices. False when the bytes are no such
-/// steps. Eight bytes behind the steps can be read.
+/// steps. Eight bytes behind the steps and behind the names can be read.
 bool Decode(const unsigned char* steps, std::size_t stepsSize, const unsigned char* names, std::size_t namesSize,
   std::size_t triangles, std::size_t vertices, Decoded& decoded);
 }

@@ -16,6 +16,14 @@ import sys
 
 MASK = 0xFFFFFFFF
 OPEN, BORDER, GONE = range(3)
+NEW, RIGHT, LEFT, NOTHING, NAMED, BOTH = range(6)  # steps
+NAME, WALK = range(2)  # numbers among the names
+# What so many ones mean, by whether the next and the previous gate are open and, where both are, the gate leans left.
+STEPS = {(True, True, True): (NEW, LEFT, RIGHT, NAMED, NOTHING, BOTH),
+         (True, True, False): (NEW, RIGHT, LEFT, NAMED, NOTHING, BOTH),
+         (True, False): (NEW, NOTHING, RIGHT, NAMED),
+         (False, True): (NEW, NOTHING, LEFT, NAMED),
+         (False, False): (NEW, NOTHING, NAMED)}
 
 
 def library(name, fallback):
@@ -208,12 +216,13 @@ class Patch:
         self.wedge_bases = [wedge_bases.get(w, []) for w in range(self.wedges_count)]
 
     def read_triangles(self, steps, bits_left, names):
-        name_parameter, name_bits = names[0] if names else 0, int.from_bytes(names[1:], "little")
+        name_parameters, name_bits = names[:2], int.from_bytes(names[2:], "little")
         triangles = []
         bases = {}  # of the vertices that were met: [], [a] or [a, b, c]
         gates = []  # [from, to, across, previous, next, state]
         owners = []  # the triangle of each gate
         self.behind = []  # for each triangle, the one across the gate behind which it was found, or None
+        leans_left = set()  # of gates
         queue = []  # of the present cell
         stack = []  # of cells before
         taken = 0
@@ -221,8 +230,9 @@ class Patch:
         gate_from = {}
         names_at = 0
 
-        def read_name():
+        def read_name(kind):
             nonlocal names_at
+            name_parameter = name_parameters[kind]
             ones = 0
             while name_bits >> names_at & 1:
                 ones += 1
@@ -249,7 +259,7 @@ class Patch:
             return None
 
         def name(basis):
-            back = read_name()
+            back = read_name(NAME)
             if back:
                 return len(bases) - back
             bases[len(bases)] = basis
@@ -269,6 +279,7 @@ class Patch:
             start, end, _, previous, following, _ = gates[gate]
             there = gate_from.get(vertex, gate)
             left, right = add(start, vertex, end), add(vertex, end, start)
+            leans_left.add(left)
             link(right if previous == gate else previous, left)
             link(left, right)
             link(right, left if following == gate else following)
@@ -277,6 +288,11 @@ class Patch:
                 link(gates[there][3], right)
                 link(left, there)
             queue.extend([left, right])
+
+        def follow(gate, walk):
+            for _ in range((walk + 3) // 2):
+                gate = gates[gate][4 if walk % 2 else 3]
+            return gates[gate][1 if walk % 2 else 0]
 
         def join(first, second, across):
             before, after = gates[first][3], gates[second][4]
@@ -311,31 +327,38 @@ class Patch:
                 steps >>= 1
                 bits_left -= 1
             require(bits_left >= 0, "the steps are too short")
-            if step == 3:
+            beside = (gates[following][5] == OPEN, gates[previous][5] == OPEN)
+            row = STEPS[beside + (gate in leans_left,) if all(beside) else beside]
+            require(step < len(row), "an impossible step")
+            step = row[step]
+            if step == NOTHING:
                 gates[gate][5] = BORDER
                 border_gates.append(gate)
                 continue
-            if step == 0:
+            if step == NEW:
                 third = len(bases)
                 bases[third] = [start, end, across]
                 split(gate, third)
-            elif step == 4:
-                third = len(bases) - read_name()
+            elif step == NAMED:
+                walk = read_name(WALK)
+                require(walk <= 16, "a walk that is too long")
+                third = follow(gate, walk) if walk else len(bases) - read_name(NAME)
                 split(gate, third)
-            elif step == 2:
+            elif step == LEFT:
                 third = gates[previous][0]
                 join(previous, gate, start)
             else:
                 third = gates[following][1]
-                if step == 1:
+                if step == RIGHT:
                     join(gate, following, end)
+                    leans_left.add(len(gates) - 1)
                 else:
                     before, after = gates[previous][3], gates[following][4]
                     gates[gate][5] = gates[previous][5] = gates[following][5] = GONE
                     link(before, after)
             triangles.append((end, start, third))
             self.behind.append(owners[gate])
-        require(bits_left < 8 and steps == 0 and len(names[1:]) == (names_at + 7) // 8, "the steps are too long")
+        require(bits_left < 8 and steps == 0 and len(names[2:]) == (names_at + 7) // 8, "the steps are too long")
         border = []
         while (gate := take()) is not None:
             border_gates.append(gate)
