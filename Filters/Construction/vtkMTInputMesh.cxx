@@ -13,6 +13,7 @@
 #include "vtkMTStageTimes.h"
 #include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMTTrimHeap.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkType.h"
@@ -258,12 +259,13 @@ private:
   bool ForAllBlocks(const vtkMTInputSpool& input, const std::function<void(BlockWork&)>& work,
     const std::function<bool(std::size_t, BlockWork&)>& take)
   {
-    std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+    const vtkMTTrimHeap trim;
+    std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(input.GetThreads()));
     const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
       [&input](std::size_t index) { return MemoryPerByteOfBlock * input.GetBlockSize(index); } };
     std::string error;
     const bool done = vtkMTOrderedWork::Run(
-      input.GetNumberOfBlocks(), this->Settings.Threads, budget,
+      input.GetNumberOfBlocks(), input.GetThreads(), budget,
       [&](std::size_t index, std::size_t slot, std::string& message)
       {
         const vtkMTStageTimes::Scope seed(this->Settings.Times, vtkMTStageTimes::Seed);

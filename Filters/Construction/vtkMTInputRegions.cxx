@@ -7,6 +7,7 @@
 #include "vtkMTRadixSort.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTStitch.h"
+#include "vtkMTTrimHeap.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -130,6 +131,7 @@ bool vtkMTInputRegions::FindPoints(vtkMTStitch& stitch, const vtkMTLattice& latt
     return this->Fail(this->Requests.GetError());
   }
   this->NextRequest = this->Requests.Next();
+  const vtkMTTrimHeap trim;
   std::vector<PointBatch> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
   std::string error;
   const bool found = vtkMTOrderedWork::Run(

@@ -6,17 +6,22 @@
 #include "vtkMTRelease.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMTTrimHeap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace
 {
 using Place = vtkMTInputBlock::Place;
 constexpr std::uint64_t LargestIndex = 0xfffffffeu;
 constexpr std::size_t CursorSize = std::size_t(1) << 20;
+// A triangle of a block with its points, without values; what a slot holds at most, over its block.
+constexpr std::uint64_t BytesPerTriangle = 36;
+constexpr std::uint64_t CopiesInSlot = 3;
 constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
 constexpr std::size_t RequestsAtOnce = 16384;
 // A block that is checked, over its bytes without places.
@@ -68,11 +73,19 @@ bool vtkMTInputSpool::Fail(const std::string& error)
   return false;
 }
 
+int vtkMTInputSpool::GetThreads() const
+{
+  const std::size_t values = std::accumulate(this->CellTupleSizes.begin(), this->CellTupleSizes.end(), std::size_t(0));
+  const std::uint64_t block = vtkMTInputBlock::Size * (BytesPerTriangle + values);
+  const std::uint64_t needed = CopiesInSlot * vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads) * block;
+  return this->Settings.BlockMemory == 0 || needed <= this->Settings.BlockMemory ? this->Settings.Threads : 1;
+}
+
 bool vtkMTInputSpool::Run(std::size_t count, const vtkMTOrderedWork::Budget& budget,
   const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
 {
   std::string error;
-  const bool done = vtkMTOrderedWork::Run(count, this->Settings.Threads, budget, fetch, work, take, error);
+  const bool done = vtkMTOrderedWork::Run(count, this->GetThreads(), budget, fetch, work, take, error);
   this->Error = error.empty() ? this->Error : error;
   return done;
 }
@@ -198,7 +211,8 @@ bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort
   }
   // The stream belongs to this thread: a slot is filled before the work that finds it, and as soon as it is free again.
   Reading reading{ stream, {}, 0, false };
-  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+  const vtkMTTrimHeap trim;
+  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   for (RawBlock& slot : slots)
   {
     if (!this->FillBlock(reading, slot.Block))
@@ -312,7 +326,8 @@ bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& pla
   {
     return this->Fail(requests.GetError());
   }
-  std::vector<PointRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+  const vtkMTTrimHeap trim;
+  std::vector<PointRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   const unsigned char* record = requests.Next();
   std::uint64_t last = NoPoint;
   const auto fetch = [&](std::size_t, std::size_t slot, std::string& error)
@@ -384,7 +399,8 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
   }
   const std::uint64_t all = this->Triangles;
   this->Triangles = 0;
-  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+  const vtkMTTrimHeap trim;
+  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
     [this](std::size_t index) { return MemoryPerByteOfRaw * this->RawBlocks.GetSize(index); } };
   const auto fetch = [&](std::size_t index, std::size_t slot, std::string& error)

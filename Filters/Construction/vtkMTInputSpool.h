@@ -45,6 +45,9 @@ public:
   std::uint64_t GetInputTriangles() const { return this->InputTriangles; }
   const std::map<std::string, std::int64_t>& GetReport() const { return this->Report; } ///< triangles dropped
 
+  /// Threads for work on blocks: one where the blocks that several have in hand, with their values, are too much.
+  int GetThreads() const;
+
   std::size_t GetNumberOfBlocks() const { return this->Blocks.GetNumberOfKeys(); }
   /// Bytes of the block as it is stored; 0: it is empty.
   std::uint64_t GetBlockSize(std::size_t index) const { return this->Blocks.GetSize(index); }
