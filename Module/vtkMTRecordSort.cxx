@@ -143,22 +143,28 @@ vtkMTRecordSort::vtkMTRecordSort(vtkMTSpoolStore& store, std::size_t recordSize,
 
 vtkMTRecordSort::~vtkMTRecordSort() = default;
 
-bool vtkMTRecordSort::Add(const void* record)
+bool vtkMTRecordSort::Add(const void* records, std::size_t count)
 {
-  if (this->Buffer.size() >= this->Capacity * this->RecordSize && !this->WriteRun())
+  const unsigned char* bytes = static_cast<const unsigned char*>(records);
+  const std::size_t all = this->Capacity * this->RecordSize;
+  for (std::size_t left = count * this->RecordSize; left > 0;)
   {
-    return false;
+    if (this->Buffer.size() >= all && !this->WriteRun())
+    {
+      return false;
+    }
+    const std::size_t size = std::min(left, std::max(all - this->Buffer.size(), this->RecordSize));
+    if (this->Buffer.size() + size > this->Buffer.capacity())
+    {
+      // Twice as much, or all at once: never more than half as much again while it is copied.
+      const std::size_t twice = std::max(2 * this->Buffer.size(), std::max(size, 64 * this->RecordSize));
+      this->Buffer.reserve(2 * twice > all ? std::max(all, size) : twice);
+    }
+    this->Buffer.insert(this->Buffer.end(), bytes, bytes + size);
+    bytes += size;
+    left -= size;
   }
-  if (this->Buffer.size() + this->RecordSize > this->Buffer.capacity())
-  {
-    // Twice as much, or all at once: never more than half as much again while it is copied.
-    const std::size_t all = this->Capacity * this->RecordSize;
-    const std::size_t twice = std::max<std::size_t>(2 * this->Buffer.size(), 64 * this->RecordSize);
-    this->Buffer.reserve(2 * twice > all ? all : twice);
-  }
-  const unsigned char* bytes = static_cast<const unsigned char*>(record);
-  this->Buffer.insert(this->Buffer.end(), bytes, bytes + this->RecordSize);
-  ++this->Count;
+  this->Count += count;
   return true;
 }
 

@@ -34,7 +34,9 @@ public:
   vtkMTRecordSort(vtkMTSpoolStore& store, std::size_t recordSize, std::size_t memory);
   ~vtkMTRecordSort();
 
-  bool Add(const void* record);
+  bool Add(const void* record) { return this->Add(record, 1); }
+  /// So many records, one behind the other.
+  bool Add(const void* records, std::size_t count);
   /// Nothing can be added from here on.
   bool Finish();
   /// The next record in order, valid until the next call; null at the end and on failure, with a message in GetError.

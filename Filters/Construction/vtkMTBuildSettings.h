@@ -49,6 +49,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
   /// Bytes for all regions that are worked on at a time, while nothing is sorted; 0: no limit. And what cutting a
   /// fragment, or simplifying a region, takes per byte of its records.
   std::uint64_t WorkMemory = 0;
+  /// The same for the input's blocks that are in hand at a time, while others are sorted; 0: no limit.
+  std::uint64_t BlockMemory = 0;
   double MemoryPerByteCut = 0.0;
   double MemoryPerByteSimplified = 0.0;
   vtkMTSpoolStore* Store = nullptr;

@@ -7,22 +7,28 @@
 #include "vtkMTInputFragments.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTInputSpool.h"
+#include "vtkMTOrderedWork.h"
 #include "vtkMTPartitionStrategy.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMTTrimHeap.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace
 {
 using Barycentre = vtkMTBarycentreSpool::Barycentre;
+
+// A block of the input with what is made of it, over its bytes as it is stored.
+constexpr std::uint64_t MemoryPerByteOfBlock = 5;
 
 void Count(std::map<std::string, std::int64_t>& report, const char* reason, std::uint64_t count)
 {
@@ -169,7 +175,7 @@ private:
     {
       for (std::size_t i = 0; good && i < input.GetNumberOfBlocks(); ++i)
       {
-        good = (input.ReadBlock(i, block) || this->Fail(input.GetError())) && outliers.Add(block) &&
+        good = input.ReadBlock(i, block, this->Error) && outliers.Add(block) &&
           this->Continue("looking for far outliers", i * vtkMTInputBlock::Size);
       }
       good = good && outliers.FinishStep();
@@ -219,43 +225,19 @@ private:
   // Psi_0
   bool SortIntoRegions(vtkMTInputSpool& input, vtkMTStitch& stitch)
   {
-    const vtkMTStageTimes::Scope seed(this->Settings.Times, vtkMTStageTimes::Seed, true);
     vtkMTBarycentreSpool scan;
     if (!scan.Begin(*this->Settings.Store, "input-barycentres", this->Error) ||
       !this->PutBarycentres(input, stitch, scan) || !scan.Seal(this->Error))
     {
       return false;
     }
-    scan.SetContinue([this] { return this->Continue("placing regions", 0); });
-    const auto partition = this->Settings.Partition->Build(scan, this->Settings.GetRegionTarget(), 0);
-    if (!partition)
-    {
-      return this->Aborted ? false : this->Fail("the partition of level 0 could not be made: " + scan.GetError());
-    }
+    const auto partition = this->MakePartition(scan);
     scan.Remove();
-    this->NumberOfRegions = partition->GetNumberOfRegions();
-    if (this->NumberOfRegions > vtkMTPatchSplitter::MaximumRegions)
+    if (!partition || !this->PutTriangles(input, *partition))
     {
-      return this->Fail("the partition of level 0 has more regions than identities allow");
+      return false;
     }
-    vtkMTInputBlock block;
-    std::vector<std::uint32_t> regions;
-    std::uint64_t done = 0;
-    for (std::size_t i = 0; i < input.GetNumberOfBlocks(); ++i)
-    {
-      if (!input.ReadBlock(i, block))
-      {
-        return this->Fail(input.GetError());
-      }
-      this->Locate(*partition, this->GetBarycentres(block), regions);
-      done += regions.size();
-      const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-      if (!this->Regions->Add(block, regions) || !this->Continue("sorting into regions", done))
-      {
-        return this->Error.empty() ? this->Fail(this->Regions->GetError()) : false;
-      }
-    }
-    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
     input.ForgetBlocks();
     const bool found = this->Regions->FindPoints(stitch, this->State->Graph.Lattice);
     input.ForgetPoints();
@@ -263,37 +245,110 @@ private:
     return found || this->Fail(this->Regions->GetError());
   }
 
+  // A block of the input that is worked on.
+  struct BlockWork
+  {
+    vtkMTInputBlock Block;
+    std::vector<Barycentre> Barycentres;
+    vtkMTStitch::BlockEdges Edges;
+    double LargestShift2 = 0.0;
+    vtkMTInputRegions::BlockRecords Records;
+  };
+
+  // work by several threads with every block, take in order with what came of it.
+  bool ForAllBlocks(const vtkMTInputSpool& input, const std::function<void(BlockWork&)>& work,
+    const std::function<bool(std::size_t, BlockWork&)>& take)
+  {
+    const vtkMTTrimHeap trim;
+    std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(input.GetThreads()));
+    const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
+      [&input](std::size_t index) { return MemoryPerByteOfBlock * input.GetBlockSize(index); } };
+    std::string error;
+    const bool done = vtkMTOrderedWork::Run(
+      input.GetNumberOfBlocks(), input.GetThreads(), budget,
+      [&](std::size_t index, std::size_t slot, std::string& message)
+      {
+        const vtkMTStageTimes::Scope seed(this->Settings.Times, vtkMTStageTimes::Seed);
+        if (!input.ReadBlock(index, slots[slot].Block, message))
+        {
+          return false;
+        }
+        slots[slot].Barycentres = this->GetBarycentres(slots[slot].Block);
+        work(slots[slot]);
+        return true;
+      },
+      [&](std::size_t index, std::size_t slot, std::string&)
+      {
+        const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+        const bool taken = take(index, slots[slot]);
+        slots[slot] = BlockWork();
+        return taken;
+      },
+      error);
+    this->Error = error.empty() ? this->Error : error;
+    return done;
+  }
+
+  std::unique_ptr<vtkMTPartition> MakePartition(vtkMTBarycentreSpool& scan)
+  {
+    const vtkMTStageTimes::Scope seed(this->Settings.Times, vtkMTStageTimes::Seed, true);
+    scan.SetContinue([this] { return this->Continue("placing regions", 0); });
+    auto partition = this->Settings.Partition->Build(scan, this->Settings.GetRegionTarget(), 0);
+    if (!partition)
+    {
+      this->Error = this->Aborted ? this->Error : "the partition of level 0 could not be made: " + scan.GetError();
+      return nullptr;
+    }
+    this->NumberOfRegions = partition->GetNumberOfRegions();
+    if (this->NumberOfRegions > vtkMTPatchSplitter::MaximumRegions)
+    {
+      this->Error = "the partition of level 0 has more regions than identities allow";
+      return nullptr;
+    }
+    return partition;
+  }
+
+  bool PutTriangles(const vtkMTInputSpool& input, const vtkMTPartition& partition)
+  {
+    std::uint64_t done = 0;
+    return this->ForAllBlocks(
+      input,
+      [&](BlockWork& work)
+      {
+        std::vector<std::uint32_t> regions(work.Barycentres.size());
+        partition.LocateAll(work.Barycentres.data(), regions.size(), regions.data());
+        const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
+        work.Records = this->Regions->MakeRecords(work.Block, regions);
+      },
+      [&](std::size_t, BlockWork& work)
+      {
+        done += work.Barycentres.size();
+        return (this->Regions->Add(std::move(work.Records)) || this->Fail(this->Regions->GetError())) &&
+          this->Continue("sorting into regions", done);
+      });
+  }
+
   // In the same pass: stitching, and the largest shift to the lattice.
-  bool PutBarycentres(vtkMTInputSpool& input, vtkMTStitch& stitch, vtkMTBarycentreSpool& scan)
+  bool PutBarycentres(const vtkMTInputSpool& input, vtkMTStitch& stitch, vtkMTBarycentreSpool& scan)
   {
     const int partColumn = FindPartColumn(this->State->Graph.Arrays);
     vtkMTLattice& lattice = this->State->Graph.Lattice;
     double largest = 0.0; // in steps, so that the square neither underflows nor overflows at extreme scales
-    vtkMTInputBlock block;
-    for (std::size_t i = 0; i < input.GetNumberOfBlocks(); ++i)
-    {
-      if (!input.ReadBlock(i, block))
+    const bool put = this->ForAllBlocks(
+      input,
+      [&](BlockWork& work)
       {
-        return this->Fail(input.GetError());
-      }
-      {
+        work.LargestShift2 = GetLargestShift2(lattice, work.Block);
         const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-        if (!stitch.Add(block, partColumn))
-        {
-          return this->Fail(stitch.GetError());
-        }
-      }
-      const std::vector<unsigned char> used = block.GetUsed();
-      for (std::size_t p = 0; p < used.size(); ++p)
+        work.Edges = vtkMTStitch::FindEdges(work.Block);
+      },
+      [&](std::size_t index, BlockWork& work)
       {
-        largest = used[p] ? std::max(largest, GetShift2(lattice, block.Places[p])) : largest;
-      }
-      if (!scan.Put(this->GetBarycentres(block), this->Error) ||
-        !this->Continue("finding barycentres", i * vtkMTInputBlock::Size))
-      {
-        return false;
-      }
-    }
+        largest = std::max(largest, work.LargestShift2);
+        return (stitch.Add(work.Block, work.Edges, partColumn) || this->Fail(stitch.GetError())) &&
+          scan.Put(work.Barycentres, this->Error) &&
+          this->Continue("finding barycentres", index * vtkMTInputBlock::Size);
+      });
     // Four roundings at most: 2^-50 covers them.
     lattice.MaximumShift = std::sqrt(largest) * (1.0 + std::ldexp(1.0, -50)) * lattice.Step;
     if (largest > 0.0 && lattice.MaximumShift < std::numeric_limits<double>::min())
@@ -301,8 +356,19 @@ private:
       // Denormal numbers are rounded more coarsely than that.
       lattice.MaximumShift = std::nextafter(lattice.MaximumShift, std::numeric_limits<double>::infinity());
     }
-    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-    return stitch.Finish() || this->Fail(stitch.GetError());
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+    return put && (stitch.Finish() || this->Fail(stitch.GetError()));
+  }
+
+  static double GetLargestShift2(const vtkMTLattice& lattice, const vtkMTInputBlock& block)
+  {
+    const std::vector<unsigned char> used = block.GetUsed();
+    double largest = 0.0;
+    for (std::size_t p = 0; p < used.size(); ++p)
+    {
+      largest = used[p] ? std::max(largest, GetShift2(lattice, block.Places[p])) : largest;
+    }
+    return largest;
   }
 
   static double GetShift2(const vtkMTLattice& lattice, const vtkMTInputBlock::Place& place)
@@ -321,25 +387,12 @@ private:
   {
     vtkMTPatch mesh;
     mesh.Triangles = block.Triangles;
+    mesh.Points.reserve(block.Places.size());
     for (const vtkMTInputBlock::Place& place : block.Places)
     {
       mesh.Points.push_back(this->State->Graph.Lattice.Snap(place.data()));
     }
     return vtkMTBarycentreSpool::GetBarycentres(mesh);
-  }
-
-  void Locate(const vtkMTPartition& partition, const std::vector<Barycentre>& barycentres,
-    std::vector<std::uint32_t>& regions) const
-  {
-    regions.resize(barycentres.size());
-    constexpr std::size_t piece = 4096;
-    const std::ptrdiff_t pieces = static_cast<std::ptrdiff_t>((regions.size() + piece - 1) / piece);
-#pragma omp parallel for num_threads(this->Settings.Threads) schedule(static)
-    for (std::ptrdiff_t i = 0; i < pieces; ++i)
-    {
-      const std::size_t begin = static_cast<std::size_t>(i) * piece;
-      partition.LocateAll(barycentres.data() + begin, std::min(piece, regions.size() - begin), regions.data() + begin);
-    }
   }
 
   const vtkMTBuildSettings& Settings;

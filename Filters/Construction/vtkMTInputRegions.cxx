@@ -3,15 +3,22 @@
 
 #include "vtkMTExactPoints.h"
 #include "vtkMTInputSpool.h"
+#include "vtkMTOrderedWork.h"
 #include "vtkMTRadixSort.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTStitch.h"
+#include "vtkMTTrimHeap.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <numeric>
 
 namespace
 {
+constexpr std::size_t BatchSize = std::size_t(1) << 20; // bytes of points
+constexpr std::size_t LeastBatch = 256;
+
 std::size_t Sum(const std::vector<std::size_t>& sizes)
 {
   return std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
@@ -42,7 +49,7 @@ vtkMTInputRegions::vtkMTInputRegions(
   , Requests(*settings.Store, sizeof(std::uint64_t), memory / 4)
   , Stitched(*settings.Store, PointSize, memory / 4)
   , Points(*settings.Store, PointSize, memory / 4)
-  , Record(std::max(TriangleSize, PointSize))
+  , Record(PointSize)
 {
 }
 
@@ -54,111 +61,185 @@ bool vtkMTInputRegions::Fail(const std::string& error)
   return false;
 }
 
-bool vtkMTInputRegions::Add(const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions)
+vtkMTInputRegions::BlockRecords vtkMTInputRegions::MakeRecords(
+  const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions) const
 {
+  BlockRecords result;
   std::vector<std::uint64_t> uses; // region above, the block's own index of the point below
   std::vector<std::uint64_t> scratch;
   uses.reserve(3 * block.Triangles.size());
+  result.Triangles.resize(block.Triangles.size() * this->TriangleSize);
+  unsigned char* to = result.Triangles.data();
   for (std::size_t t = 0; t < block.Triangles.size(); ++t)
   {
-    Triangle record{ regions[t], {}, static_cast<std::uint32_t>(this->NextNumber++), block.CellIds[t] };
+    Triangle record{ regions[t], {}, static_cast<std::uint32_t>(t), block.CellIds[t] };
     for (int c = 0; c < 3; ++c)
     {
       record.Points[c] = block.Points[block.Triangles[t][c]];
       uses.push_back((std::uint64_t(regions[t]) << 32) | block.Triangles[t][c]);
     }
-    std::memcpy(this->Record.data(), &record, sizeof(record));
-    unsigned char* to = this->Record.data() + sizeof(record);
+    std::memcpy(to, &record, sizeof(record));
+    to += sizeof(record);
     for (std::size_t i = 0; i < block.Columns.size(); ++i)
     {
       const std::size_t size = this->Input.GetCellTupleSizes()[i];
       std::memcpy(to, block.Columns[i].data() + t * size, size);
       to += size;
     }
-    if (!this->Triangles.Add(this->Record.data()))
-    {
-      return this->Fail(this->Triangles.GetError());
-    }
   }
   vtkMTRadixSort::Sort(uses, scratch);
   uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  for (const std::uint64_t use : uses)
+  for (std::uint64_t& use : uses)
   {
-    const std::uint64_t request = (std::uint64_t(block.Points[static_cast<std::uint32_t>(use)]) << 32) | (use >> 32);
-    if (!this->Requests.Add(&request))
-    {
-      return this->Fail(this->Requests.GetError());
-    }
+    use = (std::uint64_t(block.Points[static_cast<std::uint32_t>(use)]) << 32) | (use >> 32);
   }
-  return true;
+  result.Requests = std::move(uses);
+  return result;
 }
+
+bool vtkMTInputRegions::Add(BlockRecords&& records)
+{
+  const std::size_t triangles = records.Triangles.size() / this->TriangleSize;
+  for (std::size_t t = 0; t < triangles; ++t)
+  {
+    unsigned char* number = records.Triangles.data() + t * this->TriangleSize + offsetof(Triangle, Number);
+    const std::uint32_t value = Read<std::uint32_t>(number) + static_cast<std::uint32_t>(this->NextNumber);
+    std::memcpy(number, &value, sizeof(value));
+  }
+  this->NextNumber += triangles;
+  return (this->Triangles.Add(records.Triangles.data(), triangles) &&
+           this->Requests.Add(records.Requests.data(), records.Requests.size())) ||
+    this->Fail(this->Triangles.GetError() + this->Requests.GetError());
+}
+
+//------------------------------------------------------------------------------
+// Some points, the regions that have them, and the records that come of it.
+struct vtkMTInputRegions::PointBatch
+{
+  std::vector<std::uint32_t> Points;
+  std::vector<std::uint32_t> Roots;
+  std::vector<std::size_t> End; // of each point's regions
+  std::vector<std::uint32_t> Regions;
+  std::vector<unsigned char> Single; // records
+  std::vector<unsigned char> Stitched;
+};
 
 bool vtkMTInputRegions::FindPoints(vtkMTStitch& stitch, const vtkMTLattice& lattice)
 {
-  vtkMTInputSpool::PointCursor cursor(this->Input);
-  std::vector<std::uint32_t> regions;
-  bool good = this->Requests.Finish();
-  const unsigned char* record = good ? this->Requests.Next() : nullptr;
-  while (record)
+  if (!this->Requests.Finish())
   {
-    const std::uint32_t point = static_cast<std::uint32_t>(vtkMTRecordSort::GetKey(record) >> 32);
-    regions.clear();
-    for (; record && vtkMTRecordSort::GetKey(record) >> 32 == point; record = this->Requests.Next())
-    {
-      const std::uint32_t region = static_cast<std::uint32_t>(vtkMTRecordSort::GetKey(record));
-      if (regions.empty() || regions.back() != region)
-      {
-        regions.push_back(region);
-      }
-    }
-    const unsigned char* bytes = cursor.Get(point, this->Error);
-    if (!bytes || !this->AddPoint(point, regions, bytes, stitch.FindRoot(point), lattice))
-    {
-      return false;
-    }
-    if (++this->UsedPoints % vtkMTInputBlock::Size == 0 &&
-      !this->Settings.Report(
-        { 0.0, "sorting points into regions", 0, this->UsedPoints, this->Input.GetNumberOfPoints() }))
-    {
-      this->Aborted = true;
-      return this->Fail("aborted");
-    }
+    return this->Fail(this->Requests.GetError());
   }
-  if (this->Requests.HasFailed() || !stitch.GetError().empty())
+  this->NextRequest = this->Requests.Next();
+  const vtkMTTrimHeap trim;
+  std::vector<PointBatch> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
+  std::string error;
+  const bool found = vtkMTOrderedWork::Run(
+    static_cast<std::size_t>(this->Requests.GetNumberOfRecords() / this->GetBatch() + 1), this->Settings.Threads,
+    [&](std::size_t, std::size_t slot, std::string& message)
+    {
+      const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+      return this->FetchPoints(stitch, slots[slot], message);
+    },
+    [&](std::size_t, std::size_t slot, std::string& message)
+    {
+      const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+      return this->MakePoints(lattice, slots[slot], message);
+    },
+    [&](std::size_t, std::size_t slot, std::string&) { return this->PutPoints(slots[slot]); }, error);
+  if (!found)
   {
-    return this->Fail(this->Requests.GetError() + stitch.GetError());
+    this->Error = error.empty() ? this->Error : error;
+    return false;
   }
-  good = this->SolveStitched() && this->Points.Finish() && this->Triangles.Finish();
+  bool good = this->SolveStitched() && this->Points.Finish() && this->Triangles.Finish();
   this->NextPoint = good ? this->Points.Next() : nullptr;
   this->NextTriangle = good ? this->Triangles.Next() : nullptr;
   good = good && !this->Points.HasFailed() && !this->Triangles.HasFailed();
   return good || this->Fail(this->Stitched.GetError() + this->Points.GetError() + this->Triangles.GetError());
 }
 
-bool vtkMTInputRegions::AddPoint(std::uint32_t point, const std::vector<std::uint32_t>& regions,
-  const unsigned char* bytes, std::uint32_t root, const vtkMTLattice& lattice)
+// Requests that are walked at a time.
+std::size_t vtkMTInputRegions::GetBatch() const
 {
-  const vtkMTInputBlock::Place place = vtkMTInputSpool::GetPlace(bytes);
-  const bool isStitched = root != vtkMTStitch::None;
-  vtkMTRecordSort& sort = isStitched ? this->Stitched : this->Points;
-  Point record{ 0, point, point, lattice.Snap(place.data()), regions.size() > 1 ? 1u : 0u };
-  unsigned char* values = this->Record.data() + sizeof(record);
-  std::memcpy(values, vtkMTInputSpool::GetValues(bytes), this->Input.GetValueSize());
-  if (this->Exact)
+  return std::max(LeastBatch, BatchSize / this->PointSize);
+}
+
+bool vtkMTInputRegions::FetchPoints(vtkMTStitch& stitch, PointBatch& batch, std::string& error)
+{
+  batch = PointBatch();
+  const unsigned char*& record = this->NextRequest;
+  while (record && batch.Regions.size() < this->GetBatch())
   {
-    vtkMTExactPoints::Encode(
-      *this->Exact, lattice, record.X, vtkMTInputSpool::GetExactPlace(bytes), values + this->Input.GetValueSize());
-  }
-  for (const std::uint32_t region : regions)
-  {
-    record.Key = isStitched ? (std::uint64_t(root) << 32) | region : (std::uint64_t(region) << 32) | point;
-    std::memcpy(this->Record.data(), &record, sizeof(record));
-    if (!sort.Add(this->Record.data()))
+    const std::uint32_t point = static_cast<std::uint32_t>(vtkMTRecordSort::GetKey(record) >> 32);
+    const std::size_t begin = batch.Regions.size();
+    for (; record && vtkMTRecordSort::GetKey(record) >> 32 == point; record = this->Requests.Next())
     {
-      return this->Fail(sort.GetError());
+      const std::uint32_t region = static_cast<std::uint32_t>(vtkMTRecordSort::GetKey(record));
+      if (batch.Regions.size() == begin || batch.Regions.back() != region)
+      {
+        batch.Regions.push_back(region);
+      }
+    }
+    batch.Points.push_back(point);
+    batch.Roots.push_back(stitch.FindRoot(point));
+    batch.End.push_back(batch.Regions.size());
+  }
+  error = this->Requests.GetError() + stitch.GetError();
+  return error.empty();
+}
+
+bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batch, std::string& error) const
+{
+  if (batch.Points.empty())
+  {
+    return true;
+  }
+  vtkMTInputSpool::PointCursor cursor(this->Input, std::uint64_t(batch.Points.back()) + 1);
+  std::vector<unsigned char> values(this->ValueSize);
+  batch.Single.reserve(batch.Regions.size() * this->PointSize);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < batch.Points.size(); ++i)
+  {
+    const unsigned char* bytes = cursor.Get(batch.Points[i], error);
+    if (!bytes)
+    {
+      return false;
+    }
+    const vtkMTInputBlock::Place place = vtkMTInputSpool::GetPlace(bytes);
+    const std::uint32_t point = batch.Points[i];
+    Point record{ 0, point, point, lattice.Snap(place.data()), batch.End[i] - begin > 1 ? 1u : 0u };
+    std::memcpy(values.data(), vtkMTInputSpool::GetValues(bytes), this->Input.GetValueSize());
+    if (this->Exact)
+    {
+      vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputSpool::GetExactPlace(bytes),
+        values.data() + this->Input.GetValueSize());
+    }
+    const bool isStitched = batch.Roots[i] != vtkMTStitch::None;
+    std::vector<unsigned char>& records = isStitched ? batch.Stitched : batch.Single;
+    for (; begin < batch.End[i]; ++begin)
+    {
+      const std::uint32_t region = batch.Regions[begin];
+      record.Key = isStitched ? (std::uint64_t(batch.Roots[i]) << 32) | region : (std::uint64_t(region) << 32) | point;
+      const unsigned char* fixed = reinterpret_cast<const unsigned char*>(&record);
+      records.insert(records.end(), fixed, fixed + sizeof(record));
+      records.insert(records.end(), values.begin(), values.end());
     }
   }
   return true;
+}
+
+bool vtkMTInputRegions::PutPoints(const PointBatch& batch)
+{
+  if (!this->Points.Add(batch.Single.data(), batch.Single.size() / this->PointSize) ||
+    !this->Stitched.Add(batch.Stitched.data(), batch.Stitched.size() / this->PointSize))
+  {
+    return this->Fail(this->Points.GetError() + this->Stitched.GetError());
+  }
+  this->UsedPoints += batch.Points.size();
+  this->Aborted = !this->Settings.Report(
+    { 0.0, "sorting points into regions", 0, this->UsedPoints, this->Input.GetNumberOfPoints() });
+  return !this->Aborted || this->Fail("aborted");
 }
 
 bool vtkMTInputRegions::SolveStitched()

@@ -61,9 +61,18 @@ public:
   std::size_t GetTriangleSize() const { return this->TriangleSize; } ///< bytes of a triangle with its values
   std::size_t GetPointSize() const { return this->PointSize; }
 
+  /// A block's records: triangles, their numbers counted within the block, and pairs of point and region.
+  struct BlockRecords
+  {
+    std::vector<unsigned char> Triangles;
+    std::vector<std::uint64_t> Requests;
+  };
+  /// May be called by any thread. regions: of the block's triangles.
+  BlockRecords MakeRecords(const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions) const;
+
   ///@{
   /// All blocks in order, then FindPoints, then regions in increasing order. False with a message in GetError.
-  bool Add(const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions);
+  bool Add(BlockRecords&& records);
   bool FindPoints(vtkMTStitch& stitch, const vtkMTLattice& lattice);
   bool Take(std::uint32_t region, Region& result);
   ///@}
@@ -74,9 +83,13 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  struct PointBatch;
+
   bool Fail(const std::string& error);
-  bool AddPoint(std::uint32_t point, const std::vector<std::uint32_t>& regions, const unsigned char* bytes,
-    std::uint32_t root, const vtkMTLattice& lattice);
+  std::size_t GetBatch() const;
+  bool FetchPoints(vtkMTStitch& stitch, PointBatch& batch, std::string& error);
+  bool MakePoints(const vtkMTLattice& lattice, PointBatch& batch, std::string& error) const;
+  bool PutPoints(const PointBatch& batch);
   bool SolveStitched();
   bool SolveIdentity(std::uint32_t root, std::vector<unsigned char>& records);
 
@@ -93,6 +106,7 @@ private:
   vtkMTRecordSort Stitched;  // identity above, region below
   vtkMTRecordSort Points;    // region above, point below
   std::vector<unsigned char> Record;
+  const unsigned char* NextRequest = nullptr;
   const unsigned char* NextTriangle = nullptr;
   const unsigned char* NextPoint = nullptr;
   std::uint64_t NextNumber = 0;

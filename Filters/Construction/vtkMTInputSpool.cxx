@@ -3,19 +3,29 @@
 
 #include "vtkMTExactPoints.h"
 #include "vtkMTRecordSort.h"
+#include "vtkMTRelease.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMTTrimHeap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace
 {
 using Place = vtkMTInputBlock::Place;
 constexpr std::uint64_t LargestIndex = 0xfffffffeu;
 constexpr std::size_t CursorSize = std::size_t(1) << 20;
+// A triangle of a block with its points, without values; what a slot holds at most, over its block.
+constexpr std::uint64_t BytesPerTriangle = 36;
+constexpr std::uint64_t CopiesInSlot = 3;
+constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
+constexpr std::size_t RequestsAtOnce = 16384;
+// A block that is checked, over its bytes without places.
+constexpr std::uint64_t MemoryPerByteOfRaw = 6;
 
 // The place of one of a block's points on its way to the block.
 struct PlaceRecord
@@ -63,6 +73,23 @@ bool vtkMTInputSpool::Fail(const std::string& error)
   return false;
 }
 
+int vtkMTInputSpool::GetThreads() const
+{
+  const std::size_t values = std::accumulate(this->CellTupleSizes.begin(), this->CellTupleSizes.end(), std::size_t(0));
+  const std::uint64_t block = vtkMTInputBlock::Size * (BytesPerTriangle + values);
+  const std::uint64_t needed = CopiesInSlot * vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads) * block;
+  return this->Settings.BlockMemory == 0 || needed <= this->Settings.BlockMemory ? this->Settings.Threads : 1;
+}
+
+bool vtkMTInputSpool::Run(std::size_t count, const vtkMTOrderedWork::Budget& budget,
+  const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
+{
+  std::string error;
+  const bool done = vtkMTOrderedWork::Run(count, this->GetThreads(), budget, fetch, work, take, error);
+  this->Error = error.empty() ? this->Error : error;
+  return done;
+}
+
 bool vtkMTInputSpool::Continue(const char* step, std::uint64_t done, std::uint64_t all)
 {
   this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, all });
@@ -105,23 +132,17 @@ bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
   vtkMTRecordSort places(*this->Settings.Store, sizeof(PlaceRecord), memory);
   {
     vtkMTRecordSort requests(*this->Settings.Store, sizeof(std::uint64_t), memory);
-    const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
-    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests))
-    {
-      return false;
-    }
-    const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-    if (!this->FindPlaces(requests, places))
+    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests) || !this->FindPlaces(requests, places))
     {
       return false;
     }
   }
-  const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
   return this->CheckBlocks(places, visit);
 }
 
 bool vtkMTInputSpool::LoadPoints(vtkMTTriangleStream& stream)
 {
+  const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
   this->PointSpool = this->Settings.Store->Create(this->Error);
   if (!this->PointSpool)
   {
@@ -163,6 +184,23 @@ bool vtkMTInputSpool::LoadPoints(vtkMTTriangleStream& stream)
   return this->Fail(stream.GetError());
 }
 
+//------------------------------------------------------------------------------
+// Blocks of triangles
+struct vtkMTInputSpool::Reading
+{
+  vtkMTTriangleStream& Stream;
+  vtkMTTriangleStream::TriangleBlock Read;
+  std::size_t Next = 0; // of the triangles that were read
+  bool IsAtEnd = false;
+};
+
+// A block that has been read: first its triangles, then their points and the block's bytes.
+struct vtkMTInputSpool::RawBlock
+{
+  vtkMTInputBlock Block;
+  std::vector<unsigned char> Bytes;
+};
+
 bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort& requests)
 {
   // Blocks are numbered as they come: as many keys as there can be, and no fewer than there are.
@@ -171,123 +209,187 @@ bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort
   {
     return false;
   }
-  vtkMTTriangleStream::TriangleBlock read;
-  vtkMTInputBlock block;
-  block.Columns.resize(this->CellTupleSizes.size());
-  while (stream.NextTriangles(read))
+  // The stream belongs to this thread: a slot is filled before the work that finds it, and as soon as it is free again.
+  Reading reading{ stream, {}, 0, false };
+  const vtkMTTrimHeap trim;
+  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
+  for (RawBlock& slot : slots)
   {
-    if (read.Triangles.empty())
-    {
-      this->Triangles += block.Triangles.size();
-      return this->PutBlock(block, requests) && this->RawBlocks.Seal(this->Error);
-    }
-    this->InputTriangles += read.Triangles.size();
-    for (std::size_t t = 0; t < read.Triangles.size(); ++t)
-    {
-      const auto& corners = read.Triangles[t];
-      if (corners[0] >= this->Points || corners[1] >= this->Points || corners[2] >= this->Points)
-      {
-        ++this->Report["dropped_index_out_of_range"];
-        continue;
-      }
-      block.Triangles.push_back({ static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
-        static_cast<std::uint32_t>(corners[2]) });
-      block.CellIds.push_back(read.CellIds[t]);
-      for (std::size_t c = 0; c < block.Columns.size(); ++c)
-      {
-        const std::size_t size = this->CellTupleSizes[c];
-        const unsigned char* tuple = read.Columns[c].data() + t * size;
-        block.Columns[c].insert(block.Columns[c].end(), tuple, tuple + size);
-      }
-      if (block.Triangles.size() == vtkMTInputBlock::Size)
-      {
-        this->Triangles += block.Triangles.size();
-        if (!this->PutBlock(block, requests))
-        {
-          return false;
-        }
-      }
-    }
-    if (!this->Continue("reading triangles", this->InputTriangles, stream.GetNumberOfTriangles()))
+    if (!this->FillBlock(reading, slot.Block))
     {
       return false;
     }
   }
-  return this->Fail(stream.GetError());
+  const auto work = [&](std::size_t, std::size_t slot, std::string&)
+  {
+    const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
+    slots[slot].Block.FindPoints();
+    slots[slot].Block.Encode(slots[slot].Bytes);
+    slots[slot].Block.Columns.clear(); // values are in memory once
+    return true;
+  };
+  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
+  {
+    const bool put = this->PutBlock(index, slots[slot], requests);
+    vtkMTRelease(slots[slot].Bytes);
+    return put && this->FillBlock(reading, slots[slot].Block);
+  };
+  return this->Run(static_cast<std::size_t>(most), {}, {}, work, take) &&
+    (reading.IsAtEnd || this->Fail("the input has more triangles than it was to have")) &&
+    this->RawBlocks.Seal(this->Error);
 }
 
-// Empties the block.
-bool vtkMTInputSpool::PutBlock(vtkMTInputBlock& block, vtkMTRecordSort& requests)
+// Empty when there are no more triangles.
+bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
 {
-  if (this->Triangles > LargestIndex)
+  const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
+  block.Triangles.clear(); // its memory serves again
+  block.CellIds.clear();
+  block.Columns.assign(this->CellTupleSizes.size(), vtkMTColumn());
+  while (!reading.IsAtEnd && block.Triangles.size() < vtkMTInputBlock::Size)
   {
-    return this->Fail("the input has more triangles than the 4294967294 that are supported");
-  }
-  const std::uint64_t number = block.Triangles.empty() ? 0 : (this->Triangles - 1) / vtkMTInputBlock::Size;
-  if (!block.Triangles.empty())
-  {
-    block.FindPoints();
-    for (const std::uint32_t point : block.Points)
+    if (reading.Next < reading.Read.Triangles.size())
     {
-      const std::uint64_t request = (std::uint64_t(point) << 32) | number;
-      if (!requests.Add(&request))
-      {
-        return this->Fail(requests.GetError());
-      }
+      this->AddTriangle(reading, block);
+      ++reading.Next;
+      continue;
     }
-    std::vector<unsigned char> bytes;
-    block.Encode(bytes);
-    if (!this->RawBlocks.Put(static_cast<std::size_t>(number), bytes.data(), bytes.size(), this->Error))
+    reading.Next = 0;
+    if (!reading.Stream.NextTriangles(reading.Read))
+    {
+      return this->Fail(reading.Stream.GetError());
+    }
+    reading.IsAtEnd = reading.Read.Triangles.empty();
+    this->InputTriangles += reading.Read.Triangles.size();
+    if (!this->Continue("reading triangles", this->InputTriangles, reading.Stream.GetNumberOfTriangles()))
     {
       return false;
     }
   }
-  block.Triangles.clear();
-  block.CellIds.clear();
-  for (vtkMTColumn& column : block.Columns)
-  {
-    column.clear();
-  }
-  return true;
+  this->Triangles += block.Triangles.size();
+  return this->Triangles <= LargestIndex ||
+    this->Fail("the input has more triangles than the 4294967294 that are supported");
 }
+
+void vtkMTInputSpool::AddTriangle(const Reading& reading, vtkMTInputBlock& block)
+{
+  const auto& corners = reading.Read.Triangles[reading.Next];
+  if (corners[0] >= this->Points || corners[1] >= this->Points || corners[2] >= this->Points)
+  {
+    ++this->Report["dropped_index_out_of_range"];
+    return;
+  }
+  block.Triangles.push_back({ static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
+    static_cast<std::uint32_t>(corners[2]) });
+  block.CellIds.push_back(reading.Read.CellIds[reading.Next]);
+  for (std::size_t c = 0; c < block.Columns.size(); ++c)
+  {
+    const std::size_t size = this->CellTupleSizes[c];
+    const unsigned char* tuple = reading.Read.Columns[c].data() + reading.Next * size;
+    block.Columns[c].insert(block.Columns[c].end(), tuple, tuple + size);
+  }
+}
+
+bool vtkMTInputSpool::PutBlock(std::size_t number, const RawBlock& raw, vtkMTRecordSort& requests)
+{
+  if (raw.Block.Triangles.empty())
+  {
+    return true;
+  }
+  const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+  for (const std::uint32_t point : raw.Block.Points)
+  {
+    const std::uint64_t request = (std::uint64_t(point) << 32) | number;
+    if (!requests.Add(&request))
+    {
+      return this->Fail(requests.GetError());
+    }
+  }
+  return this->RawBlocks.Put(number, raw.Bytes.data(), raw.Bytes.size(), this->Error);
+}
+
+//------------------------------------------------------------------------------
+// Places of points
+struct vtkMTInputSpool::PointRequests
+{
+  std::vector<std::uint64_t> Keys; // point above, block below
+  std::uint64_t Before = NoPoint;  // the points of the requests before and behind these
+  std::uint64_t Behind = NoPoint;
+  std::vector<PlaceRecord> Places;
+};
 
 // Every request is answered with the point's place, on the way back to its block.
 bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& places)
 {
+  const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
   if (!requests.Finish())
   {
     return this->Fail(requests.GetError());
   }
-  PointCursor cursor(*this);
-  std::uint64_t last = ~std::uint64_t(0);
-  std::uint64_t done = 0;
+  const vtkMTTrimHeap trim;
+  std::vector<PointRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   const unsigned char* record = requests.Next();
-  while (record)
+  std::uint64_t last = NoPoint;
+  const auto fetch = [&](std::size_t, std::size_t slot, std::string& error)
   {
-    const std::uint64_t request = vtkMTRecordSort::GetKey(record);
-    const std::uint64_t point = request >> 32;
-    record = requests.Next();
-    const bool isOpen = point == last || (record && vtkMTRecordSort::GetKey(record) >> 32 == point);
-    last = point;
-    const unsigned char* bytes = cursor.Get(point, this->Error);
+    const vtkMTStageTimes::Scope own(this->Settings.Times, vtkMTStageTimes::Sort);
+    PointRequests& taken = slots[slot];
+    taken.Keys.clear();
+    taken.Before = last;
+    for (; record && taken.Keys.size() < RequestsAtOnce; record = requests.Next())
+    {
+      taken.Keys.push_back(vtkMTRecordSort::GetKey(record));
+      last = taken.Keys.back() >> 32;
+    }
+    taken.Behind = record ? vtkMTRecordSort::GetKey(record) >> 32 : NoPoint;
+    error = requests.GetError();
+    return !requests.HasFailed();
+  };
+  const auto work = [&](std::size_t, std::size_t slot, std::string& error)
+  {
+    const vtkMTStageTimes::Scope own(this->Settings.Times, vtkMTStageTimes::Sort);
+    return this->Answer(slots[slot], error);
+  };
+  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
+  {
+    return (places.Add(slots[slot].Places.data(), slots[slot].Places.size()) || this->Fail(places.GetError())) &&
+      this->Continue("sorting points", index * RequestsAtOnce, requests.GetNumberOfRecords());
+  };
+  const auto count = static_cast<std::size_t>(requests.GetNumberOfRecords() / RequestsAtOnce + 1);
+  return this->Run(count, {}, fetch, work, take) && (places.Finish() || this->Fail(places.GetError()));
+}
+
+bool vtkMTInputSpool::Answer(PointRequests& requests, std::string& error) const
+{
+  const std::vector<std::uint64_t>& keys = requests.Keys;
+  requests.Places.clear();
+  requests.Places.reserve(keys.size());
+  PointCursor cursor(*this, keys.empty() ? 0 : (keys.back() >> 32) + 1);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const std::uint64_t point = keys[i] >> 32;
+    const std::uint64_t before = i > 0 ? keys[i - 1] >> 32 : requests.Before;
+    const std::uint64_t behind = i + 1 < keys.size() ? keys[i + 1] >> 32 : requests.Behind;
+    const unsigned char* bytes = cursor.Get(point, error);
     if (!bytes)
     {
       return false;
     }
-    const PlaceRecord place{ (request << 32) | point, GetPlace(bytes), isOpen ? 1u : 0u };
-    if (!places.Add(&place))
-    {
-      return this->Fail(places.GetError());
-    }
-    if (++done % vtkMTInputBlock::Size == 0 && !this->Continue("sorting points", done, requests.GetNumberOfRecords()))
-    {
-      return false;
-    }
+    const bool isOpen = point == before || point == behind;
+    requests.Places.push_back({ (keys[i] << 32) | point, GetPlace(bytes), isOpen ? 1u : 0u });
   }
-  return (!requests.HasFailed() && places.Finish()) || this->Fail(requests.GetError() + places.GetError());
+  return true;
 }
 
 //------------------------------------------------------------------------------
+// Checks
+struct vtkMTInputSpool::CheckedBlock
+{
+  vtkMTInputBlock Block;
+  std::vector<unsigned char> Bytes;
+  std::map<std::string, std::int64_t> Report;
+};
+
 bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
 {
   const std::size_t count = this->RawBlocks.GetNumberOfKeys();
@@ -296,51 +398,63 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
     return false;
   }
   const std::uint64_t all = this->Triangles;
-  std::vector<unsigned char> bytes;
   this->Triangles = 0;
-  for (std::size_t i = 0; i < count; ++i)
+  const vtkMTTrimHeap trim;
+  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
+  const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
+    [this](std::size_t index) { return MemoryPerByteOfRaw * this->RawBlocks.GetSize(index); } };
+  const auto fetch = [&](std::size_t index, std::size_t slot, std::string& error)
   {
-    std::vector<std::vector<unsigned char>> records;
-    if (!this->RawBlocks.Take(i, records, this->Error))
-    {
-      return false;
-    }
-    if (records.empty())
-    {
-      continue;
-    }
-    vtkMTInputBlock block;
-    if (!block.Decode(records[0], this->Error) || !this->TakePlaces(i, places, block))
-    {
-      return false;
-    }
-    this->Check(block);
-    this->Triangles += block.Triangles.size();
-    block.Encode(bytes);
-    if (!this->Blocks.Put(i, bytes.data(), bytes.size(), this->Error) || !visit(block) ||
-      !this->Continue("checking triangles", this->Triangles, all))
-    {
-      return false;
-    }
-  }
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+    return this->FetchBlock(index, places, slots[slot], error);
+  };
+  const auto work = [&](std::size_t, std::size_t slot, std::string&)
+  {
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+    this->Check(slots[slot]);
+    return true;
+  };
+  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
+  {
+    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
+    CheckedBlock& checked = slots[slot];
+    const bool taken = checked.Bytes.empty() ||
+      (this->PutChecked(index, checked) && visit(checked.Block) &&
+        this->Continue("checking triangles", this->Triangles, all));
+    checked = CheckedBlock();
+    return taken;
+  };
+  const bool done = this->Run(count, budget, fetch, work, take);
   this->RawBlocks.Remove();
-  return this->Blocks.Seal(this->Error);
+  return done && this->Blocks.Seal(this->Error);
 }
 
-bool vtkMTInputSpool::TakePlaces(std::size_t index, vtkMTRecordSort& places, vtkMTInputBlock& block)
+// The block with the places of its points, which are in the blocks' order.
+bool vtkMTInputSpool::FetchBlock(
+  std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const
 {
+  std::vector<std::vector<unsigned char>> records;
+  vtkMTInputBlock& block = checked.Block;
+  if (!this->RawBlocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))
+  {
+    return false;
+  }
+  block.Places.reserve(block.Points.size());
+  block.IsOpen.reserve(block.Points.size());
   for (const std::uint32_t point : block.Points)
   {
     const unsigned char* record = places.Next();
     if (!record)
     {
-      return this->Fail(places.HasFailed() ? places.GetError() : "the places of the input's points are incomplete");
+      error = places.HasFailed() ? places.GetError() : "the places of the input's points are incomplete";
+      return false;
     }
     PlaceRecord place;
     std::memcpy(&place, record, sizeof(place));
     if (place.Key != ((std::uint64_t(index) << 32) | point))
     {
-      return this->Fail("the places of the input's points are not in order");
+      error = "the places of the input's points are not in order";
+      return false;
     }
     block.Places.push_back(place.X);
     block.IsOpen.push_back(place.IsOpen != 0 ? 1 : 0);
@@ -348,18 +462,34 @@ bool vtkMTInputSpool::TakePlaces(std::size_t index, vtkMTRecordSort& places, vtk
   return true;
 }
 
-void vtkMTInputSpool::Check(vtkMTInputBlock& block)
+void vtkMTInputSpool::Check(CheckedBlock& checked) const
 {
+  vtkMTInputBlock& block = checked.Block;
+  if (block.Points.empty())
+  {
+    return;
+  }
   this->Keep(block,
-    [this, &block](const vtkMTInputBlock::Triangle& t)
+    [&](const vtkMTInputBlock::Triangle& t)
     {
       const char* fault = FindFault(block, t);
       if (fault)
       {
-        ++this->Report[fault];
+        ++checked.Report[fault];
       }
       return !fault;
     });
+  block.Encode(checked.Bytes);
+}
+
+bool vtkMTInputSpool::PutChecked(std::size_t index, const CheckedBlock& checked)
+{
+  for (const auto& [reason, triangles] : checked.Report)
+  {
+    this->Report[reason] += triangles;
+  }
+  this->Triangles += checked.Block.Triangles.size();
+  return this->Blocks.Put(index, checked.Bytes.data(), checked.Bytes.size(), this->Error);
 }
 
 void vtkMTInputSpool::Keep(
@@ -399,11 +529,11 @@ void vtkMTInputSpool::LeaveOut(const Test& test, const char* reason, std::uint64
   }
 }
 
-bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block)
+bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block, std::string& error) const
 {
   std::vector<std::vector<unsigned char>> records;
   block = vtkMTInputBlock();
-  if (!this->Blocks.Take(index, records, this->Error) || (!records.empty() && !block.Decode(records[0], this->Error)))
+  if (!this->Blocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))
   {
     return false;
   }
@@ -415,8 +545,9 @@ bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block)
 }
 
 //------------------------------------------------------------------------------
-vtkMTInputSpool::PointCursor::PointCursor(const vtkMTInputSpool& input)
+vtkMTInputSpool::PointCursor::PointCursor(const vtkMTInputSpool& input, std::uint64_t end)
   : Input(input)
+  , End(end)
 {
 }
 
@@ -425,8 +556,7 @@ const unsigned char* vtkMTInputSpool::PointCursor::Get(std::uint64_t point, std:
   const std::size_t size = this->Input.RecordSize;
   if (point < this->First || point >= this->First + this->Buffer.size() / size)
   {
-    const std::uint64_t count =
-      std::min<std::uint64_t>(std::max<std::size_t>(1, CursorSize / size), this->Input.Points - point);
+    const std::uint64_t count = std::min<std::uint64_t>(std::max<std::size_t>(1, CursorSize / size), this->End - point);
     this->First = point;
     this->Buffer.resize(static_cast<std::size_t>(count) * size);
     if (!this->Input.PointSpool->Read(point * size, this->Buffer.size(), this->Buffer.data(), error))

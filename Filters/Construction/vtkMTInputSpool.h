@@ -6,6 +6,8 @@
  * Load reads the stream once. The pairs (point, block) are then sorted by point and walked beside the points, which
  * gives every block the places of its points and says which of them several blocks use, whatever the order of the
  * input. Triangles that cannot be part of a surface are dropped and counted, as vtkMTInputMesh says.
+ *
+ * Threads: the calling one reads the stream, a few blocks ahead, and writes; others do what is between.
  */
 #ifndef vtkMTInputSpool_h
 #define vtkMTInputSpool_h
@@ -13,6 +15,7 @@
 #include "vtkMTBuildSettings.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTInputBlock.h"
+#include "vtkMTOrderedWork.h"
 #include "vtkMTRecordSpool.h"
 
 #include <functional>
@@ -42,9 +45,14 @@ public:
   std::uint64_t GetInputTriangles() const { return this->InputTriangles; }
   const std::map<std::string, std::int64_t>& GetReport() const { return this->Report; } ///< triangles dropped
 
+  /// Threads for work on blocks: one where the blocks that several have in hand, with their values, are too much.
+  int GetThreads() const;
+
   std::size_t GetNumberOfBlocks() const { return this->Blocks.GetNumberOfKeys(); }
-  /// Without the triangles that were left out.
-  bool ReadBlock(std::size_t index, vtkMTInputBlock& block);
+  /// Bytes of the block as it is stored; 0: it is empty.
+  std::uint64_t GetBlockSize(std::size_t index) const { return this->Blocks.GetSize(index); }
+  /// Without the triangles that were left out. May be called by any number of threads at once.
+  bool ReadBlock(std::size_t index, vtkMTInputBlock& block, std::string& error) const;
 
   /// Leaves out, and counts, the triangles for which it says true, from here on. triangles: how many these are.
   using Test = std::function<bool(const vtkMTInputBlock&, const vtkMTInputBlock::Triangle&)>;
@@ -60,12 +68,14 @@ public:
   class PointCursor
   {
   public:
-    PointCursor(const vtkMTInputSpool& input);
+    /// end: behind the last point that will be asked for.
+    PointCursor(const vtkMTInputSpool& input, std::uint64_t end);
     /// The point's record, place and values, until the next call; null on failure. Points must be asked for in order.
     const unsigned char* Get(std::uint64_t point, std::string& error);
 
   private:
     const vtkMTInputSpool& Input;
+    const std::uint64_t End;
     std::vector<unsigned char> Buffer;
     std::uint64_t First = 0;
   };
@@ -82,15 +92,26 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  struct Reading;
+  struct RawBlock;
+  struct PointRequests;
+  struct CheckedBlock;
+
   bool Fail(const std::string& error);
   bool Continue(const char* step, std::uint64_t done, std::uint64_t all);
   bool LoadPoints(vtkMTTriangleStream& stream);
   bool LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort& requests);
-  bool PutBlock(vtkMTInputBlock& block, vtkMTRecordSort& requests);
+  bool FillBlock(Reading& reading, vtkMTInputBlock& block);
+  void AddTriangle(const Reading& reading, vtkMTInputBlock& block);
+  bool PutBlock(std::size_t number, const RawBlock& raw, vtkMTRecordSort& requests);
   bool FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& places);
+  bool Answer(PointRequests& requests, std::string& error) const;
   bool CheckBlocks(vtkMTRecordSort& places, const Visit& visit);
-  bool TakePlaces(std::size_t index, vtkMTRecordSort& places, vtkMTInputBlock& block);
-  void Check(vtkMTInputBlock& block);
+  bool FetchBlock(std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const;
+  void Check(CheckedBlock& checked) const;
+  bool PutChecked(std::size_t index, const CheckedBlock& checked);
+  bool Run(std::size_t count, const vtkMTOrderedWork::Budget& budget, const vtkMTOrderedWork::Work& fetch,
+    const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
   void Keep(vtkMTInputBlock& block, const std::function<bool(const vtkMTInputBlock::Triangle&)>& isKept) const;
 
   const vtkMTBuildSettings& Settings;

@@ -7,12 +7,7 @@
 #include "vtkMTPatchSink.h"
 #include "vtkMTSimplifyStep.h"
 #include "vtkMTSplitStep.h"
-
-#include <cstdlib> // for __GLIBC__
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
+#include "vtkMTTrimHeap.h"
 
 namespace
 {
@@ -64,10 +59,8 @@ private:
 
   bool RunStep(vtkMTLevelStep&& step)
   {
+    const vtkMTTrimHeap trim;
     const bool done = step.Run();
-#ifdef __GLIBC__
-    malloc_trim(0); // what the step's threads have freed counts as the process's otherwise
-#endif
     this->Aborted = step.WasAborted();
     return done || this->Fail(step.GetError());
   }

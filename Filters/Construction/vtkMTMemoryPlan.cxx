@@ -14,9 +14,10 @@ constexpr double MiB = 1024.0 * 1024.0;
 
 // Buffers, and blocks of the input without their values.
 constexpr double Base = 24.0 * MiB;
-// A block of the input, or a piece of its file: triangles, and copies of its values.
+// Blocks of the input, or pieces of its file, that are in hand at a time: triangles, and copies of their values.
 constexpr double BlockTriangles = 65536.0;
 constexpr double CopiesOfBlock = 4.0;
+constexpr double CopiesAhead = 4.0; // more of them, where other threads are at work as well
 // Simplifying a region, and cutting a fragment: bytes per triangle, and copies of its values.
 constexpr double PerFloorTriangle = 900.0;
 constexpr double CopiesOfFloor = 5.0;
@@ -55,9 +56,11 @@ vtkMTMemoryPlan::vtkMTMemoryPlan(const vtkMTTriangleStream& input, const vtkMTBu
   this->PerByteCut = (PerCutTriangle + CopiesOfCut * ofTriangle) / record;
   const double floor = 2.0 * settings.GetRegionTarget();
   const double patches = 2.2 * triangles / static_cast<double>(settings.PatchTriangles) + 16.0;
-  const double standing = Base + BlockTriangles * CopiesOfBlock * values + triangles * Sample + patches * PerPatch;
+  const double copies = CopiesOfBlock + (settings.Threads > 1 ? CopiesAhead : 0.0);
+  const double standing = Base + BlockTriangles * copies * values + triangles * Sample + patches * PerPatch;
   // A region for each thread, and half a one that waits to be taken over.
   const double work = (settings.Threads + 0.5) * floor * this->PerByteSimplified * record;
+  this->Blocks = ToBytes(0.5 * Base + BlockTriangles * copies * values);
   this->Standing = ToBytes(standing);
   this->Fixed = ToBytes(standing + work);
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
@@ -76,10 +79,17 @@ std::uint64_t vtkMTMemoryPlan::GetWorkMemory(std::uint64_t limit) const
   return limit == 0 ? 0 : limit - this->Standing;
 }
 
+// While blocks are in hand no region is: they may have that as well.
+std::uint64_t vtkMTMemoryPlan::GetBlockMemory(std::uint64_t limit) const
+{
+  return limit == 0 ? 0 : this->GetWorkMemory(limit) - this->GetSortMemory(limit) + this->Blocks;
+}
+
 void vtkMTMemoryPlan::Apply(std::uint64_t limit, vtkMTBuildSettings& settings) const
 {
   settings.SortMemory = this->GetSortMemory(limit);
   settings.WorkMemory = this->GetWorkMemory(limit);
+  settings.BlockMemory = this->GetBlockMemory(limit);
   settings.MemoryPerByteSimplified = this->PerByteSimplified;
   settings.MemoryPerByteCut = this->PerByteCut;
 }

@@ -32,6 +32,8 @@ public:
   std::size_t GetSortMemory(std::uint64_t limit) const;
   /// Bytes for regions that are worked on, while nothing is sorted; 0: no limit.
   std::uint64_t GetWorkMemory(std::uint64_t limit) const;
+  /// Bytes for the input's blocks that are in hand, while others are sorted; 0: no limit.
+  std::uint64_t GetBlockMemory(std::uint64_t limit) const;
   /// Hands all of this to the settings.
   void Apply(std::uint64_t limit, vtkMTBuildSettings& settings) const;
 
@@ -46,6 +48,7 @@ private:
 
   std::uint64_t Standing = 0; // buffers, and what grows with the mesh
   std::uint64_t Fixed = 0;    // and the least for work
+  std::uint64_t Blocks = 0;   // what Standing has for blocks of the input
   double PerByteSimplified = 0.0;
   double PerByteCut = 0.0;
   std::uint64_t Whole = 0; // more sort memory than this is of no use

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTOrderedWork.h"
 
+#include "vtkMTStageTimes.h"
+
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
@@ -57,6 +59,7 @@ public:
   // Waits for the result of the next index. False when its work failed.
   bool Await(std::size_t index, std::string& error)
   {
+    const vtkMTStageTimes::Scope waiting(nullptr, vtkMTStageTimes::Read); // the time is charged to those who work
     std::unique_lock<std::mutex> lock(this->Mutex);
     Result& result = this->Results[index % this->Results.size()];
     this->HasResult.wait(lock, [&result] { return result.IsDone; });
@@ -153,13 +156,10 @@ private:
 };
 }
 
-namespace
+bool vtkMTOrderedWork::Run(std::size_t count, int threads, const Budget& budget, const Work& fetch, const Work& work,
+  const Work& take, std::string& error)
 {
-bool RunWithin(std::size_t count, int threads, const vtkMTOrderedWork::Budget& budget,
-  const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take,
-  std::string& error)
-{
-  const std::size_t slots = vtkMTOrderedWork::GetNumberOfSlots(threads);
+  const std::size_t slots = GetNumberOfSlots(threads);
   Crew crew(count, slots, budget, fetch, work);
   if (threads > 1 && count > 1)
   {
@@ -181,21 +181,20 @@ bool RunWithin(std::size_t count, int threads, const vtkMTOrderedWork::Budget& b
   }
   return true;
 }
-}
 
 bool vtkMTOrderedWork::Run(std::size_t count, int threads, const Work& work, const Work& take, std::string& error)
 {
-  return RunWithin(count, threads, Budget(), Work(), work, take, error);
+  return Run(count, threads, Budget(), Work(), work, take, error);
 }
 
 bool vtkMTOrderedWork::Run(
   std::size_t count, int threads, const Budget& budget, const Work& work, const Work& take, std::string& error)
 {
-  return RunWithin(count, threads, budget, Work(), work, take, error);
+  return Run(count, threads, budget, Work(), work, take, error);
 }
 
 bool vtkMTOrderedWork::Run(
   std::size_t count, int threads, const Work& fetch, const Work& work, const Work& take, std::string& error)
 {
-  return RunWithin(count, threads, Budget(), fetch, work, take, error);
+  return Run(count, threads, Budget(), fetch, work, take, error);
 }

@@ -44,6 +44,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTOrderedWork
   /// The same, with a fetch before the work: by the same thread, one index after the other.
   static bool Run(
     std::size_t count, int threads, const Work& fetch, const Work& work, const Work& take, std::string& error);
+  static bool Run(std::size_t count, int threads, const Budget& budget, const Work& fetch, const Work& work,
+    const Work& take, std::string& error);
 };
 
 #endif

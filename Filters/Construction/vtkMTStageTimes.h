@@ -5,7 +5,9 @@
  *
  * A Scope charges the time of the thread that makes it to a stage, until it ends or another one begins within it: so
  * every second is charged once. CPU time is the thread's; wall time is summed over threads, so that what it has more
- * than CPU time is waiting, for the disk as a rule. Two clock readings per scope: for pieces of work, not for loops.
+ * than CPU time is waiting, for the disk as a rule; a thread that waits for the work of others charges nothing. Stages
+ * that overlap are charged side by side, so all stages together may take longer than the clock says. Two clock readings
+ * per scope: for pieces of work, not for loops.
  */
 #ifndef vtkMTStageTimes_h
 #define vtkMTStageTimes_h
@@ -42,8 +44,8 @@ public:
   class VTKMTCONSTRUCTION_EXPORT Scope
   {
   public:
-    /// For the calling thread. times: may be null. forAllThreads: CPU time of the process, while only this thread's
-    /// parallel loops are at work.
+    /// For the calling thread. times: null charges nothing, nor what is around. forAllThreads: CPU time of the process,
+    /// while only this thread's parallel loops are at work.
     Scope(vtkMTStageTimes* times, StageType stage, bool forAllThreads = false);
     /// The same within another scope of this thread, for its times; does nothing without one.
     explicit Scope(StageType stage);

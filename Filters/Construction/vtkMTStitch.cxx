@@ -107,65 +107,72 @@ bool vtkMTStitch::Fail(const std::string& error)
 
 //------------------------------------------------------------------------------
 // Border edges
-bool vtkMTStitch::Add(const vtkMTInputBlock& block, int partColumn)
+vtkMTStitch::BlockEdges vtkMTStitch::FindEdges(const vtkMTInputBlock& block)
 {
-  // The block's own edges: smaller end, larger end, direction. Blocks have fewer than 2^18 points.
+  // The block's own edges: smaller end, larger end. Blocks have fewer than 2^18 points.
   constexpr int bits = 18;
   static_assert(3 * vtkMTInputBlock::Size < (std::size_t(1) << bits), "points of a block must fit");
-  using Key = std::pair<std::uint64_t, std::uint32_t>; // with the triangle
+  using Key = std::pair<std::uint64_t, std::uint32_t>; // with the corner
+  BlockEdges result;
   std::vector<Key> keys;
   std::vector<Key> scratch;
-  for (std::size_t i = 0; i < block.Triangles.size(); ++i)
+  for (std::uint32_t corner = 0; corner < 3 * block.Triangles.size(); ++corner)
   {
-    const vtkMTInputBlock::Triangle& t = block.Triangles[i];
-    for (std::size_t c = 0; c < 3; ++c)
+    const vtkMTInputBlock::Triangle& t = block.Triangles[corner / 3];
+    const std::uint64_t a = t[corner % 3];
+    const std::uint64_t b = t[(corner + 1) % 3];
+    if (block.IsOpen[a] && block.IsOpen[b])
     {
-      const std::uint64_t a = t[c];
-      const std::uint64_t b = t[(c + 1) % 3];
-      if (block.IsOpen[a] && block.IsOpen[b])
-      {
-        if (!this->AddEdge(*this->Open, block, t[c], t[(c + 1) % 3], GetPart(block, i, partColumn)))
-        {
-          return false;
-        }
-        continue;
-      }
-      keys.emplace_back(
-        ((((std::min(a, b) << bits) | std::max(a, b))) << 1) | (a < b ? 0u : 1u), static_cast<std::uint32_t>(i));
+      result.Open.push_back(corner);
+      continue;
     }
+    keys.emplace_back((std::min(a, b) << bits) | std::max(a, b), corner);
   }
   vtkMTRadixSort::Sort(keys, scratch, [](const Key& key) { return key.first; });
   for (std::size_t i = 0; i < keys.size();)
   {
     std::size_t end = i + 1;
-    while (end < keys.size() && (keys[end].first >> 1) == (keys[i].first >> 1))
+    while (end < keys.size() && keys[end].first == keys[i].first)
     {
       ++end;
     }
-    const std::uint64_t key = keys[i].first;
-    const std::uint32_t low = static_cast<std::uint32_t>(key >> (bits + 1));
-    const std::uint32_t high = static_cast<std::uint32_t>((key >> 1) & ((1u << bits) - 1));
-    const bool isReversed = (key & 1) != 0;
-    const std::int32_t part = GetPart(block, keys[i].second, partColumn);
-    if (end - i == 1 && !this->AddEdge(*this->Border, block, isReversed ? high : low, isReversed ? low : high, part))
+    if (end - i == 1)
+    {
+      result.Border.push_back(keys[i].second);
+    }
+    i = end;
+  }
+  return result;
+}
+
+bool vtkMTStitch::Add(const vtkMTInputBlock& block, const BlockEdges& edges, int partColumn)
+{
+  for (const std::uint32_t corner : edges.Open)
+  {
+    Edge edge = MakeEdge(block, corner, partColumn);
+    edge.Key = (std::uint64_t(std::min(edge.From, edge.To)) << 32) | std::max(edge.From, edge.To);
+    if (!this->Open->Add(&edge))
+    {
+      return this->Fail(this->Open->GetError());
+    }
+  }
+  for (const std::uint32_t corner : edges.Border)
+  {
+    if (!this->AddBorderEdge(MakeEdge(block, corner, partColumn)))
     {
       return false;
     }
-    i = end;
   }
   return true;
 }
 
-bool vtkMTStitch::AddEdge(
-  vtkMTRecordSort& sort, const vtkMTInputBlock& block, std::uint32_t from, std::uint32_t to, std::int32_t part)
+vtkMTStitch::Edge vtkMTStitch::MakeEdge(const vtkMTInputBlock& block, std::uint32_t corner, int partColumn)
 {
-  Edge edge{ 0, block.Points[from], block.Points[to], block.Places[from], block.Places[to], part };
-  if (&sort == this->Border.get())
-  {
-    return this->AddBorderEdge(edge);
-  }
-  edge.Key = (std::uint64_t(std::min(edge.From, edge.To)) << 32) | std::max(edge.From, edge.To);
-  return sort.Add(&edge) || this->Fail(sort.GetError());
+  const vtkMTInputBlock::Triangle& t = block.Triangles[corner / 3];
+  const std::uint32_t from = t[corner % 3];
+  const std::uint32_t to = t[(corner + 1) % 3];
+  return { 0, block.Points[from], block.Points[to], block.Places[from], block.Places[to],
+    GetPart(block, corner / 3, partColumn) };
 }
 
 bool vtkMTStitch::AddBorderEdge(const Edge& edge)

@@ -33,10 +33,21 @@ public:
   vtkMTStitch(vtkMTSpoolStore& store, std::size_t memory);
   ~vtkMTStitch();
 
+  /// Edges of a block's triangles that may be border edges: 3 t + c for that from corner c of triangle t to its next
+  /// one.
+  struct BlockEdges
+  {
+    std::vector<std::uint32_t> Open;   ///< both ends belong to other blocks as well
+    std::vector<std::uint32_t> Border; ///< no other triangle has them
+  };
+  /// May be called by any thread.
+  static BlockEdges FindEdges(const vtkMTInputBlock& block);
+
   ///@{
-  /// All blocks, then Finish. No triangle may have two corners at one place. partColumn: which of the block's columns
-  /// says of what part a triangle is, as 32-bit integers; -1: there is only one. False with a message in GetError.
-  bool Add(const vtkMTInputBlock& block, int partColumn = -1);
+  /// All blocks with their edges, then Finish. No triangle may have two corners at one place. partColumn: which of the
+  /// block's columns says of what part a triangle is, as 32-bit integers; -1: there is only one. False with a message
+  /// in GetError.
+  bool Add(const vtkMTInputBlock& block, const BlockEdges& edges, int partColumn = -1);
   bool Finish();
   ///@}
 
@@ -57,8 +68,7 @@ private:
   struct Union;
 
   bool Fail(const std::string& error);
-  bool AddEdge(
-    vtkMTRecordSort& sort, const vtkMTInputBlock& block, std::uint32_t from, std::uint32_t to, std::int32_t part);
+  static Edge MakeEdge(const vtkMTInputBlock& block, std::uint32_t corner, int partColumn);
   bool AddBorderEdge(const Edge& edge);
   bool FindBorderAmongOpen();
   bool JoinEdges();

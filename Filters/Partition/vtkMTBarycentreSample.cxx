@@ -18,6 +18,8 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
   this->Largest = 0.0;
   Point first = { 0.0, 0.0, 0.0 };
   Point sum = { 0.0, 0.0, 0.0 };
+  std::size_t run = 0;   // the next one
+  std::size_t taken = 0; // of the present one
   const bool ok = scan.Scan(
     [&](const Point* barycentres, std::size_t count)
     {
@@ -33,7 +35,12 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
           sum[axis] += barycentres[i][axis] - first[axis];
           this->Largest = std::fmax(this->Largest, std::fabs(barycentres[i][axis]));
         }
-        if (IsTaken(this->Count++, stride))
+        // Once per run: divisions for every barycentre take longer than all the rest.
+        if (this->Count == run * stride)
+        {
+          taken = GetPlaceInRun(run++, stride);
+        }
+        if (this->Count++ == taken)
         {
           this->Points.push_back(barycentres[i]);
         }

@@ -45,7 +45,13 @@ public:
   /// Whether the barycentre with this number is the one that its run gives to the sample.
   static bool IsTaken(std::size_t index, std::size_t stride)
   {
-    return stride == 1 || Hash(index / stride) % stride == index % stride;
+    return stride == 1 || index == GetPlaceInRun(index / stride, stride);
+  }
+
+  /// The number of the barycentre that a run gives.
+  static std::size_t GetPlaceInRun(std::size_t run, std::size_t stride)
+  {
+    return run * stride + static_cast<std::size_t>(Hash(run) % stride);
   }
 
   /// A number that looks like chance and is always the same for the same number.

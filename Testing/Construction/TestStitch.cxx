@@ -68,7 +68,7 @@ Result StitchBlocks(
     {
       part.IsOpen.push_back(users[p] > 1 ? 1 : 0);
     }
-    EXPECT_TRUE(stitch.Add(part, partIds.empty() ? -1 : 0)) << stitch.GetError();
+    EXPECT_TRUE(stitch.Add(part, vtkMTStitch::FindEdges(part), partIds.empty() ? -1 : 0)) << stitch.GetError();
   }
   EXPECT_TRUE(stitch.Finish()) << stitch.GetError();
   Result result;
