@@ -209,7 +209,7 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
     const vtkMTInputBlock::Place place = vtkMTInputSpool::GetPlace(bytes);
     const std::uint32_t point = batch.Points[i];
     Point record{ 0, point, point, lattice.Snap(place.data()), batch.End[i] - begin > 1 ? 1u : 0u };
-    std::memcpy(values.data(), vtkMTInputSpool::GetValues(bytes), this->Input.GetValueSize());
+    std::copy_n(vtkMTInputSpool::GetValues(bytes), this->Input.GetValueSize(), values.begin());
     if (this->Exact)
     {
       vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputSpool::GetExactPlace(bytes),
