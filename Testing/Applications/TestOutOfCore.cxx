@@ -8,8 +8,14 @@
 #include "vtkMTFractalSphere.h"
 #include "vtkMultiTriangulationBuilder.h"
 
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
+#include "vtkPLYReader.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -28,6 +34,30 @@ protected:
     std::vector<std::string> call{ "build", this->Path("sphere.ply"), "-o", this->Path(output) };
     call.insert(call.end(), more.begin(), more.end());
     return call;
+  }
+
+  // In MiB; what the refusal of too little memory says.
+  double GetLeastLimit(const std::string& mesh) const
+  {
+    const MTRun run =
+      this->Bmt({ "build", this->Path(mesh), "-o", this->Path("out.bmt"), "--threads", "4", "--memory", "64MiB" });
+    EXPECT_EQ(run.Exit, 1);
+    const std::string before = "small for this mesh: ";
+    const std::size_t begin = run.Err.find(before);
+    EXPECT_NE(begin, std::string::npos) << run.Err;
+    return begin == std::string::npos ? 0.0 : std::stod(run.Err.substr(begin + before.size())) + 1.0;
+  }
+
+  // In MiB, of the largest child until now, of which this is one with that limit.
+  double GetPeakOfBuild(const std::string& mesh, double limit) const
+  {
+    const std::string memory = std::to_string(static_cast<int>(limit)) + "MiB";
+    this->BmtJson({ "build", this->Path(mesh), "-o", this->Path("out.bmt"), "--threads", "4", "--memory", memory });
+    rusage usage;
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const double peak = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    std::printf("limit %.0f MiB, largest child %.1f MiB\n", limit, peak);
+    return peak;
   }
 
   // In the store's folder, with small patches; the sink publishes name.
@@ -73,18 +103,39 @@ TEST_F(OutOfCore, ProcessStaysWithinItsLimit)
   GTEST_SKIP() << "sanitizers keep memory that was freed";
 #endif
   this->MakeSphere(327680);
-  const MTRun refused = this->Bmt(this->BuildCall({ "--memory", "64MiB" }));
-  EXPECT_EQ(refused.Exit, 1);
-  const std::size_t colon = refused.Err.find("small for this mesh: ");
-  ASSERT_NE(colon, std::string::npos) << refused.Err;
-  const double least = std::stod(refused.Err.substr(colon + 21)) + 1.0;
-  this->BmtJson(this->BuildCall({ "--memory", std::to_string(static_cast<int>(least)) + "MiB" }));
-  rusage usage;
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const double peak = static_cast<double>(usage.ru_maxrss) / 1024.0;
-  std::printf("limit %.0f MiB, largest child %.1f MiB\n", least, peak);
+  const double least = this->GetLeastLimit("sphere.ply");
+  const double peak = this->GetPeakOfBuild("sphere.ply", least);
   EXPECT_LE(peak, 1.1 * least);
   EXPECT_GT(peak, 0.2 * least);
+}
+
+TEST_F(OutOfCore, ProcessStaysWithinItsLimitWithManyValuesPerTriangle)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers keep memory that was freed";
+#endif
+  this->MakeSphere(327680);
+  const vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(this->Path("sphere.ply").c_str());
+  reader->Update();
+  vtkPolyData* mesh = reader->GetOutput();
+  const vtkNew<vtkDoubleArray> values;
+  values->SetName("values");
+  values->SetNumberOfComponents(30);
+  values->SetNumberOfTuples(mesh->GetNumberOfCells());
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+  {
+    values->SetValue(i, std::sin(0.1 * static_cast<double>(i)));
+  }
+  mesh->GetCellData()->AddArray(values);
+  const vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(this->Path("wide.vtp").c_str());
+  writer->SetInputData(mesh);
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  ASSERT_EQ(writer->Write(), 1);
+  const double least = this->GetLeastLimit("wide.vtp");
+  EXPECT_LE(this->GetPeakOfBuild("wide.vtp", least), 1.1 * least);
 }
 
 TEST_F(OutOfCore, ResumeAfterAnyFailedWriteGivesTheSameBytes)
