@@ -80,6 +80,20 @@ std::uint64_t bmtGetPeakMemory()
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+namespace
+{
+// What is freed is given back to the system, since the limit is measured from outside; but not blocks of the size that
+// a region needs, or a fifth of the time goes into pages that come and go. Where there is room, larger ones stay too.
+void KeepSmallBlocks(std::uint64_t limit)
+{
+  constexpr std::uint64_t least = 4 << 20;
+  const auto kept = static_cast<int>(std::clamp<std::uint64_t>(limit / 128, least, 8 * least));
+  mallopt(M_MMAP_THRESHOLD, kept);
+  mallopt(M_TRIM_THRESHOLD, limit >= 256 * least ? 2 * kept : kept);
+  mallopt(M_ARENA_MAX, 4);
+}
+}
+
 void bmtAddWorkspaceOptions(CLI::App& command, bmtWorkspaceOptions& options)
 {
   command.add_option("--memory", options.Memory,
@@ -95,13 +109,9 @@ bmtWorkspace::bmtWorkspace(const bmtWorkspaceOptions& options, const std::string
   : Options(options)
   , Output(output)
 {
-  // What is freed is given back, since the limit is measured from outside; but not blocks of the size that a region
-  // needs, or a fifth of the time goes into pages that come and go.
-  mallopt(M_MMAP_THRESHOLD, 4 << 20);
-  mallopt(M_TRIM_THRESHOLD, 4 << 20);
-  mallopt(M_ARENA_MAX, 4);
   const std::uint64_t machine = bmtGetMachineMemory();
   this->Limit = options.Memory.empty() ? machine / 4 : bmtParseSize(options.Memory);
+  KeepSmallBlocks(this->Limit);
   namespace fs = std::filesystem;
   const fs::path name = fs::path(output).filename();
   const fs::path parent = options.Temp.empty() ? fs::path(output).parent_path() : fs::path(options.Temp);
