@@ -6,6 +6,7 @@
 #include "vtkMTMemorySpoolStore.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMTTrimHeap.h"
 #include "vtkMultiTriangulationBuilder.h"
 
 #include <CLI/CLI.hpp>
@@ -64,15 +65,6 @@ std::uint64_t bmtGetMachineMemory()
   return group > 0 ? std::min(machine, group) : machine;
 }
 
-std::uint64_t bmtGetResidentMemory()
-{
-  std::ifstream file("/proc/self/statm");
-  std::uint64_t size = 0;
-  std::uint64_t resident = 0;
-  file >> size >> resident;
-  return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
-
 std::uint64_t bmtGetPeakMemory()
 {
   rusage usage;
@@ -87,9 +79,9 @@ namespace
 void KeepSmallBlocks(std::uint64_t limit)
 {
   constexpr std::uint64_t least = 4 << 20;
-  const auto kept = static_cast<int>(std::clamp<std::uint64_t>(limit / 128, least, 8 * least));
+  const auto kept = static_cast<int>(std::clamp<std::uint64_t>(limit / 32, least, 8 * least));
   mallopt(M_MMAP_THRESHOLD, kept);
-  mallopt(M_TRIM_THRESHOLD, limit >= 256 * least ? 2 * kept : kept);
+  mallopt(M_TRIM_THRESHOLD, limit >= 64 * least ? 2 * kept : kept);
   mallopt(M_ARENA_MAX, 4);
 }
 }
@@ -149,7 +141,8 @@ void bmtWorkspace::Prepare(const vtkMTTriangleStream& input, vtkMultiTriangulati
       std::to_string(input.GetNumberOfTriangles()) + " triangles; " + std::to_string(most) +
       " of either are supported");
   }
-  const std::uint64_t used = bmtGetResidentMemory() + Reserve;
+  malloc_trim(0); // what reading has freed would count
+  const std::uint64_t used = vtkMTTrimHeap::GetResidentSize() + Reserve;
   const vtkMTMemoryPlan plan = builder->MakeMemoryPlan(input);
   if (this->Limit < used + plan.GetLeast())
   {

@@ -34,9 +34,8 @@ void bmtAddWorkspaceOptions(CLI::App& command, bmtWorkspaceOptions& options);
 /// Bytes of "512MiB", "1.5G", "2000000"; throws bmtError when it is none.
 std::uint64_t bmtParseSize(const std::string& text);
 
-/// Bytes of memory of the machine, or of the group that the process is confined to; and what it holds, now and at most.
+/// Bytes of memory of the machine, or of the group that the process is confined to; and what it held at most.
 std::uint64_t bmtGetMachineMemory();
-std::uint64_t bmtGetResidentMemory();
 std::uint64_t bmtGetPeakMemory();
 
 class bmtWorkspace

@@ -45,6 +45,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings
   ///@{
   /// These have none.
   int Threads = 1;
+  std::uint64_t MemoryLimit = 0;                  ///< bytes that the process is to hold at most; 0: no limit
   std::size_t SortMemory = std::size_t(64) << 20; ///< bytes, for all sorts that go on at a time
   /// Bytes for all regions that are worked on at a time, while nothing is sorted; 0: no limit. And what cutting a
   /// fragment, or simplifying a region, takes per byte of its records.

@@ -259,7 +259,7 @@ private:
   bool ForAllBlocks(const vtkMTInputSpool& input, const std::function<void(BlockWork&)>& work,
     const std::function<bool(std::size_t, BlockWork&)>& take)
   {
-    const vtkMTTrimHeap trim;
+    const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
     std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(input.GetThreads()));
     const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
       [&input](std::size_t index) { return MemoryPerByteOfBlock * input.GetBlockSize(index); } };

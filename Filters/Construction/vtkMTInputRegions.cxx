@@ -131,7 +131,7 @@ bool vtkMTInputRegions::FindPoints(vtkMTStitch& stitch, const vtkMTLattice& latt
     return this->Fail(this->Requests.GetError());
   }
   this->NextRequest = this->Requests.Next();
-  const vtkMTTrimHeap trim;
+  const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
   std::vector<PointBatch> slots(vtkMTOrderedWork::GetNumberOfSlots(this->Settings.Threads));
   std::string error;
   const bool found = vtkMTOrderedWork::Run(

@@ -211,7 +211,7 @@ bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort
   }
   // The stream belongs to this thread: a slot is filled before the work that finds it, and as soon as it is free again.
   Reading reading{ stream, {}, 0, false };
-  const vtkMTTrimHeap trim;
+  const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
   std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   for (RawBlock& slot : slots)
   {
@@ -326,7 +326,7 @@ bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& pla
   {
     return this->Fail(requests.GetError());
   }
-  const vtkMTTrimHeap trim;
+  const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
   std::vector<PointRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   const unsigned char* record = requests.Next();
   std::uint64_t last = NoPoint;
@@ -399,7 +399,7 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
   }
   const std::uint64_t all = this->Triangles;
   this->Triangles = 0;
-  const vtkMTTrimHeap trim;
+  const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
   std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
   const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
     [this](std::size_t index) { return MemoryPerByteOfRaw * this->RawBlocks.GetSize(index); } };

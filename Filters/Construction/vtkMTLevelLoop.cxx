@@ -59,7 +59,7 @@ private:
 
   bool RunStep(vtkMTLevelStep&& step)
   {
-    const vtkMTTrimHeap trim;
+    const vtkMTTrimHeap trim(this->Options.MemoryLimit);
     const bool done = step.Run();
     this->Aborted = step.WasAborted();
     return done || this->Fail(step.GetError());

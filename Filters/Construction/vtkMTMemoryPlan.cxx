@@ -87,6 +87,7 @@ std::uint64_t vtkMTMemoryPlan::GetBlockMemory(std::uint64_t limit) const
 
 void vtkMTMemoryPlan::Apply(std::uint64_t limit, vtkMTBuildSettings& settings) const
 {
+  settings.MemoryLimit = limit;
   settings.SortMemory = this->GetSortMemory(limit);
   settings.WorkMemory = this->GetWorkMemory(limit);
   settings.BlockMemory = this->GetBlockMemory(limit);

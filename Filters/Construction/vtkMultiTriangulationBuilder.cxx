@@ -12,6 +12,7 @@
 #include "vtkMTPatchSink.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTTrimHeap.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulation.h"
 
@@ -105,6 +106,7 @@ bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchS
   this->StageTimes = std::make_unique<vtkMTStageTimes>();
   this->UpdateProgress(0.0);
   this->HasCheckpoint = false;
+  const vtkMTTrimHeap trim(vtkMTTrimHeap::Always);
   vtkMTMemorySpoolStore memory;
   vtkMTSpoolStore& store = this->SpoolStore ? *this->SpoolStore : memory;
   bool built = false;
