@@ -290,6 +290,7 @@ bmtJson BuildModel(const Options& options, const bmtInputFiles& files, vtkMultiT
   result["triangles_per_cpu_second"] =
     static_cast<double>(stream->GetNumberOfTriangles()) / std::max(1e-9, bmtCpuSeconds() - cpu);
   result["reading_seconds"] = reading[1];
+  result["levels_seconds"] = builder->GetStageTimes().GetLevelSeconds();
   result["stages"] = DescribeStages(builder->GetStageTimes(), reading);
   result["input_streamed"] = mesh->GetNumberOfPoints() == 0;
   workspace.Describe(result);

@@ -41,6 +41,12 @@ public:
   double GetWallSeconds(StageType stage) const { return 1e-9 * static_cast<double>(this->Wall[stage]); }
   ///@}
 
+  ///@{
+  /// By the clock, for all levels: what comes after the input has been read, sorted and stitched.
+  void SetLevelSeconds(double seconds) { this->LevelSeconds = seconds; }
+  double GetLevelSeconds() const { return this->LevelSeconds; }
+  ///@}
+
   class VTKMTCONSTRUCTION_EXPORT Scope
   {
   public:
@@ -68,6 +74,7 @@ public:
 private:
   std::array<std::atomic<std::int64_t>, NumberOfStages> Cpu{}; // nanoseconds
   std::array<std::atomic<std::int64_t>, NumberOfStages> Wall{};
+  double LevelSeconds = 0.0;
 };
 
 #endif

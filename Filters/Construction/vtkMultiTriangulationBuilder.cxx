@@ -23,6 +23,7 @@
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -149,7 +150,9 @@ bool vtkMultiTriangulationBuilder::BuildLevels(
     return false;
   }
   vtkMTLevelLoop loop(settings, output, identity);
+  const auto begin = std::chrono::steady_clock::now();
   const bool built = loop.Run(state);
+  this->StageTimes->SetLevelSeconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   this->HasCheckpoint = this->HasCheckpoint || loop.HasCheckpoint();
   this->ErrorMessage = loop.GetError();
   this->Aborted = loop.WasAborted();
