@@ -12,8 +12,8 @@ build). Needs a display: CMake/with-display Testing/Benchmarks/rendering.py ... 
               and back, with patches limited to --memory megabytes, at 1 pixel: once waiting for what each frame asks
               for, once as while somebody moves the camera; then the whole mesh in a vtkPolyDataMapper and in a
               vtkQuadricLODActor, which are drawn in every --stride-th frame only.
-  models      one view of every MODEL: the camera of the path's frame --view (a share, 0 to 1) of the first MODEL, moved
-              a little from frame to frame. Ratios are of the largest to the smallest value.
+  models      one view of every MODEL: the camera of the path's frame --view (a share, 0 to 1) of the first MODEL,
+              --back times as far away, moved a little from frame to frame. Ratios are of the largest to the smallest value.
   pictures    cuts of the MAIN model beside the picture of its whole mesh, at six places of the path.
   strip       WORK/strip.png: far, approach, close, turn, back.
 
@@ -92,7 +92,7 @@ def steady_path(arguments):
     view = [float(word) for word in whole.read_text().splitlines()[round(100 * arguments.view)].split()]
     lines = []
     for frame in range(arguments.still):
-        moved = [p + 1e-4 * frame * (f - p) for p, f in zip(view[:3], view[3:6])]
+        moved = [f + (arguments.back - 1e-4 * frame) * (p - f) for p, f in zip(view[:3], view[3:6])]
         lines.append(" ".join(f"{value:.17g}" for value in moved + view[3:]))
     path = arguments.work / "view.txt"
     path.write_text("\n".join(lines) + "\n")
@@ -102,20 +102,22 @@ def steady_path(arguments):
 def models(arguments):
     path = steady_path(arguments)
     rows = []
-    columns = [[], [], []]
+    columns = [[], [], [], []]
     for i, model in enumerate(arguments.models):
         summary = fly(arguments, model, f"model{i}", "--path", path)
         one = summary["flights"][0]
-        values = [one["frame_ms_median"], one["cut_ms_median"], one["triangles_median"]]
+        values = [one["frame_ms_median"], one["cpu_ms_median"], one["cut_ms_median"], one["triangles_median"]]
         for column, value in zip(columns, values):
             column.append(value)
         share = one["finest_triangles_most"] / max(one["triangles_most"], 1)
-        rows.append([million(summary["triangles"]), number(values[0]), number(values[1], 3), int(values[2]),
-                     number(100 * share) + " %"])
+        rows.append([million(summary["triangles"]), number(values[0]), number(values[1]), number(values[2], 3),
+                     int(values[3]), number(100 * share) + " %"])
     ratios = [max(column) / max(min(column), 1e-9) for column in columns]
     rows.append(["largest to smallest"] + [number(ratio, 2) for ratio in ratios] + ["-"])
-    table(f"The same view of models of several sizes, error: {arguments.error}",
-          ["model", "frame ms, median", "cut ms, median", "triangles", "of full resolution"], rows)
+    farther = "" if arguments.back == 1 else f", {arguments.back:g} times as far away"
+    table(f"The same view of models of several sizes, error: {arguments.error}{farther}",
+          ["model", "frame ms, median", "frame CPU ms, median", "cut ms, median", "triangles", "of full resolution"],
+          rows)
 
 
 def pictures(arguments):
@@ -142,6 +144,7 @@ def main():
     parser.add_argument("--stride", type=int, default=40)
     parser.add_argument("--still", type=int, default=15, help="frames of the one view of every model")
     parser.add_argument("--view", type=float, default=0.0, help="which one: a share of the path")
+    parser.add_argument("--back", type=float, default=1.0, help="that view from so many times its distance")
     parser.add_argument("--size", type=int, nargs=2, default=[1920, 1080])
     parser.add_argument("--memory", type=float, default=90, help="megabytes")
     parser.add_argument("--error", choices=["distance", "edges"], default="distance",
