@@ -208,6 +208,30 @@ std::unique_ptr<vtkMTTriangleStream> StreamTerrain(const bmtInput& input, vtkMTS
   std::unique_ptr<vtkMTTriangleStream> stream = terrain.MakeStream(error);
   return stream ? std::move(stream) : throw bmtError(error);
 }
+
+// All or none; whatever their sizes, as one of them may be large.
+std::unique_ptr<vtkMTTriangleStream> StreamParts(
+  const bmtInput& input, vtkMTMeshStream::Settings settings, bmtInputReport& report)
+{
+  settings.LeastSize = 0;
+  std::vector<vtkSmartPointer<vtkPolyData>> names(input.Paths.size());
+  std::generate(names.begin(), names.end(), [] { return vtkSmartPointer<vtkPolyData>::New(); });
+  std::vector<std::uint64_t> cells;
+  std::unique_ptr<vtkMTTriangleStream> stream = vtkMTMeshStream::OpenAll(input.Paths, settings, names, cells);
+  vtkMTTextureCollector collector;
+  for (std::size_t part = 0; stream && part < input.Paths.size(); ++part)
+  {
+    bmtJson entry;
+    entry["id"] = part;
+    entry["files"] = { input.Paths[part] };
+    entry["cells"] = cells[part];
+    report.Parts.push_back(entry);
+    collector.Collect(input.Paths[part], names[part], static_cast<int>(part));
+  }
+  report.Textures = collector.GetTextures();
+  report.Problems = collector.GetProblems();
+  return stream;
+}
 }
 
 std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
@@ -217,9 +241,13 @@ std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
   {
     return StreamTerrain(input, store);
   }
+  vtkMTMeshStream::Settings settings;
+  settings.Store = &store;
+  settings.Memory = static_cast<std::size_t>(memory / 8);
+  settings.LeastSize = memory / 32;
   if (input.Paths.size() != 1)
   {
-    return nullptr;
+    return StreamParts(input, settings, report);
   }
   const std::string& path = input.Paths.front();
   // Always, whatever the memory: the points come in another order than from the whole contour.
@@ -229,10 +257,6 @@ std::unique_ptr<vtkMTTriangleStream> bmtStreamInput(
     std::unique_ptr<vtkMTTriangleStream> isosurface = vtkMTVolumeReader::StreamIsosurface(path, *input.Iso, error);
     return isosurface ? std::move(isosurface) : throw bmtError(error);
   }
-  vtkMTMeshStream::Settings settings;
-  settings.Store = &store;
-  settings.Memory = static_cast<std::size_t>(memory / 8);
-  settings.LeastSize = memory / 32;
   const vtkNew<vtkPolyData> names;
   std::unique_ptr<vtkMTTriangleStream> stream = vtkMTMeshStream::Open(path, settings, names);
   if (stream)

@@ -2,6 +2,7 @@
 #include "vtkMTMeshStream.h"
 
 #include "vtkMTFileByteSource.h"
+#include "vtkMTMergedStream.h"
 #include "vtkMTObjStream.h"
 #include "vtkMTPlyStream.h"
 #include "vtkMTStlStream.h"
@@ -40,4 +41,21 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::Open(
   {
     return nullptr;
   }
+}
+
+std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::OpenAll(const std::vector<std::string>& paths,
+  const Settings& settings, const std::vector<vtkSmartPointer<vtkPolyData>>& names, std::vector<std::uint64_t>& cells)
+{
+  std::vector<std::unique_ptr<vtkMTPieceStream>> parts;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    std::unique_ptr<vtkMTTriangleStream> stream = Open(paths[i], settings, names[i]);
+    if (!dynamic_cast<vtkMTPieceStream*>(stream.get()))
+    {
+      return nullptr;
+    }
+    parts.emplace_back(static_cast<vtkMTPieceStream*>(stream.release()));
+    cells.push_back(parts.back()->GetNumberOfCells());
+  }
+  return parts.empty() ? nullptr : vtkMTMergedStream::Make(std::move(parts));
 }

@@ -18,10 +18,12 @@
 
 #include "vtkMTIOModule.h" // For export macro
 #include "vtkMTTriangleStream.h"
+#include "vtkSmartPointer.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkMTSpoolStore;
 class vtkPolyData;
@@ -47,6 +49,12 @@ struct VTKMTIO_EXPORT vtkMTMeshStream
   static std::unique_ptr<vtkMTTriangleStream> Open(const std::string& path, vtkPolyData* names = nullptr);
   static std::unique_ptr<vtkMTTriangleStream> Open(
     const std::string& path, const Settings& settings, vtkPolyData* names = nullptr);
+  /**
+   * Several files as one stream, which gives what vtkMTMeshMerge gives of the whole files. names: one for each file.
+   * cells: gets the number of cells of each. Null also where their arrays differ or one has vertices or lines.
+   */
+  static std::unique_ptr<vtkMTTriangleStream> OpenAll(const std::vector<std::string>& paths, const Settings& settings,
+    const std::vector<vtkSmartPointer<vtkPolyData>>& names, std::vector<std::uint64_t>& cells);
 };
 
 #endif

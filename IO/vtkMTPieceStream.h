@@ -24,6 +24,9 @@ public:
   std::uint64_t GetNumberOfPoints() const override { return this->Points; }
   std::uint64_t GetNumberOfTriangles() const override { return this->Triangles; }
   const std::map<std::string, std::int64_t>& GetReport() const override { return this->Report; }
+  /// With vertices and lines.
+  std::uint64_t GetNumberOfCells() const { return this->FirstCell + this->Cells; }
+  bool HasPolygonsOnly() const { return this->FirstCell == 0; }
   bool Rewind() override;
   bool NextPoints(PointBlock& block) override;
   bool NextTriangles(TriangleBlock& block) override;

@@ -4,6 +4,7 @@
 #include "MTTestMeshes.h"
 #include "vtkMTFractalSphere.h"
 #include "vtkMTMemorySpoolStore.h"
+#include "vtkMTMeshMerge.h"
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshStream.h"
 #include "vtkMTMeshWriter.h"
@@ -91,33 +92,79 @@ std::vector<std::string> GetFieldNames(vtkPolyData* mesh)
   return names;
 }
 
-// The sorts get as little memory as they take.
-void ExpectSameAsWhole(const std::string& path)
+void ExpectSame(vtkMTTriangleStream& streamed, vtkPolyData* mesh, const std::string& path)
 {
-  std::string error;
-  const vtkNew<vtkPolyData> mesh;
-  ASSERT_TRUE(vtkMTMeshReader::Read(path, mesh, error)) << error;
   vtkMTPolyDataStream whole(mesh);
-  vtkMTMemorySpoolStore store;
-  vtkMTMeshStream::Settings settings;
-  settings.Store = &store;
-  settings.Memory = 0;
-  const vtkNew<vtkPolyData> names;
-  const auto streamed = vtkMTMeshStream::Open(path, settings, names);
-  ASSERT_TRUE(streamed) << path;
-  EXPECT_EQ(streamed->GetArrays(), whole.GetArrays()) << path;
-  EXPECT_EQ(streamed->GetReport(), whole.GetReport()) << path;
-  EXPECT_EQ(GetFieldNames(names), GetFieldNames(mesh)) << path;
+  EXPECT_EQ(streamed.GetArrays(), whole.GetArrays()) << path;
+  EXPECT_EQ(streamed.GetReport(), whole.GetReport()) << path;
   const Content expected = ReadAll(whole);
   for (int round = 0; round < 2; ++round)
   {
-    const Content content = ReadAll(*streamed);
+    const Content content = ReadAll(streamed);
     EXPECT_TRUE(content.Points == expected.Points) << path;
     EXPECT_TRUE(content.Triangles == expected.Triangles) << path;
     EXPECT_EQ(content.CellIds, expected.CellIds);
     EXPECT_TRUE(content.PointColumns == expected.PointColumns) << path;
     EXPECT_TRUE(content.CellColumns == expected.CellColumns) << path;
   }
+}
+
+// The sorts get as little memory as they take.
+vtkMTMeshStream::Settings GetSettings(vtkMTSpoolStore& store)
+{
+  vtkMTMeshStream::Settings settings;
+  settings.Store = &store;
+  settings.Memory = 0;
+  return settings;
+}
+
+void ExpectSameAsWhole(const std::string& path)
+{
+  std::string error;
+  const vtkNew<vtkPolyData> mesh;
+  ASSERT_TRUE(vtkMTMeshReader::Read(path, mesh, error)) << error;
+  vtkMTMemorySpoolStore store;
+  const vtkNew<vtkPolyData> names;
+  const auto streamed = vtkMTMeshStream::Open(path, GetSettings(store), names);
+  ASSERT_TRUE(streamed) << path;
+  EXPECT_EQ(GetFieldNames(names), GetFieldNames(mesh)) << path;
+  ExpectSame(*streamed, mesh, path);
+}
+
+// Null when they are not streamed.
+std::unique_ptr<vtkMTTriangleStream> OpenAll(
+  const std::vector<std::string>& paths, vtkMTSpoolStore& store, std::vector<std::uint64_t>& cells)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> names;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    names.push_back(vtkSmartPointer<vtkPolyData>::New());
+  }
+  return vtkMTMeshStream::OpenAll(paths, GetSettings(store), names, cells);
+}
+
+void ExpectSameAsMerged(const std::vector<std::string>& paths)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  std::string error;
+  for (const std::string& path : paths)
+  {
+    parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+    ASSERT_TRUE(vtkMTMeshReader::Read(path, parts.back(), error)) << error;
+  }
+  const vtkNew<vtkPolyData> merged;
+  std::map<std::string, std::int64_t> report;
+  ASSERT_TRUE(vtkMTMeshMerge::Merge(parts, merged, report, error)) << error;
+  vtkMTMemorySpoolStore store;
+  std::vector<std::uint64_t> cells;
+  const auto streamed = OpenAll(paths, store, cells);
+  ASSERT_TRUE(streamed) << paths.front();
+  ASSERT_EQ(cells.size(), parts.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    EXPECT_EQ(cells[i], static_cast<std::uint64_t>(parts[i]->GetNumberOfCells()));
+  }
+  ExpectSame(*streamed, merged, paths.front());
 }
 
 // Text, with values before and after the corners.
@@ -390,6 +437,47 @@ TEST(MeshStream, VtpOfEveryEncodingGivesWhatTheWholeFileGives)
       }
     }
   }
+}
+
+TEST(MeshStream, SeveralFilesGiveWhatTheirMergedMeshGives)
+{
+  const Folder folder;
+  std::string error;
+  vtkMTFractalSphere sphere(81920); // two pieces
+  ASSERT_TRUE(vtkMTMeshWriter::WritePly(sphere, folder / "sphere.ply", error)) << error;
+  const vtkNew<vtkSTLWriter> writer;
+  writer->SetFileTypeToBinary();
+  writer->SetInputData(MTTestMeshes::FractalSphere(4));
+  writer->SetFileName((folder / "small.stl").c_str());
+  writer->Write();
+  ExpectSameAsMerged({ folder / "sphere.ply", folder / "small.stl", folder / "sphere.ply" });
+  // With arrays of points and cells, and polygons.
+  WriteFile(folder / "a.ply", MakeText(1000, 3000));
+  WriteFile(folder / "b.ply", MakeText(500, 70, "5 %d %d %d 4 5"));
+  ExpectSameAsMerged({ folder / "a.ply", folder / "b.ply" });
+}
+
+TEST(MeshStream, FilesThatDoNotFitTogetherAreNotStreamed)
+{
+  const Folder folder;
+  WriteFile(folder / "a.ply", MakeText(1000, 3000));
+  WriteFile(folder / "none.ply", MakeText(100, 0));
+  const std::string plain =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n";
+  const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
+  WriteFile(folder / "plain.ply", plain + "property list uchar int vertex_indices\nend_header\n" + rest + "\n");
+  WriteFile(folder / "part.ply",
+    plain + "property list uchar int vertex_indices\nproperty int PartId\nend_header\n" + rest + " 7\n");
+  const std::vector<std::vector<std::string>> sets = { { folder / "a.ply", folder / "plain.ply" },
+    { folder / "a.ply", folder / "none.ply" }, { folder / "part.ply", folder / "part.ply" },
+    { folder / "plain.ply", folder / "missing.ply" } };
+  for (const auto& paths : sets)
+  {
+    vtkMTMemorySpoolStore store;
+    std::vector<std::uint64_t> cells;
+    EXPECT_FALSE(OpenAll(paths, store, cells)) << paths.back();
+  }
+  ExpectSameAsMerged({ folder / "plain.ply", folder / "plain.ply" });
 }
 
 TEST(MeshStream, WhatNeedsTheWholeFileIsNotStreamed)
