@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The codec's one side: from triangles to steps and names.
+#include "vtkMTTriangleFront.h"
+
+#include <numeric>
+
+namespace
+{
+using namespace vtkMTTriangleCodec;
+
+// Which of the steps closes the gate with that vertex, if it is on the front beside it.
+Step FindStep(const Front& front, std::uint32_t gate, std::uint32_t vertex)
+{
+  const Gate& g = front.Get(gate);
+  const bool isRight = !front.IsAlone(gate) && (g.Beside & NextIsOpen) != 0 && front.GetRight(gate) == vertex;
+  const bool isLeft = !front.IsAlone(gate) && (g.Beside & PreviousIsOpen) != 0 && front.GetLeft(gate) == vertex;
+  if (isRight && isLeft && front.HasTwoNeighbours(gate))
+  {
+    return Both;
+  }
+  return isRight ? Right : (isLeft ? Left : Named);
+}
+
+// By how many gates it is named; 0 when it is not near.
+std::uint32_t FindWalk(const Front& front, std::uint32_t gate, std::uint32_t vertex)
+{
+  std::uint32_t walk = 1;
+  while (walk <= MostWalk && front.Walk(gate, walk) != vertex)
+  {
+    ++walk;
+  }
+  return walk <= MostWalk ? walk : 0;
+}
+
+//------------------------------------------------------------------------------
+class BitWriter
+{
+public:
+  void Put(Step step, std::uint32_t situation)
+  {
+    unsigned ones = 0;
+    for (; Steps[situation][ones] != step; ++ones)
+    {
+      this->PutBit(true);
+    }
+    if (ones < MostOnes)
+    {
+      this->PutBit(false);
+    }
+  }
+  void PutRice(std::uint32_t number, unsigned parameter)
+  {
+    for (std::uint32_t ones = number >> parameter; ones > 0; --ones)
+    {
+      this->PutBit(true);
+    }
+    this->PutBit(false);
+    for (unsigned i = 0; i < parameter; ++i)
+    {
+      this->PutBit((number >> i & 1) != 0);
+    }
+  }
+  void PutBit(bool bit)
+  {
+    if (this->Count % 8 == 0)
+    {
+      this->Bytes.push_back(0);
+    }
+    if (bit)
+    {
+      this->Bytes.back() |= static_cast<unsigned char>(1u << (this->Count % 8));
+    }
+    ++this->Count;
+  }
+  std::vector<unsigned char> Bytes;
+
+private:
+  std::size_t Count = 0;
+};
+
+//------------------------------------------------------------------------------
+// What is named, in order: how far away along the front, and how long ago a vertex was met.
+struct Name
+{
+  std::uint32_t Number;
+  bool IsWalk;
+};
+
+unsigned ChooseNameParameter(const std::vector<Name>& names, bool ofWalks)
+{
+  const auto count = [&](unsigned parameter)
+  {
+    std::uint64_t bits = 0;
+    for (const Name& name : names)
+    {
+      bits += name.IsWalk == ofWalks ? (name.Number >> parameter) + 1 + parameter : 0;
+    }
+    return bits;
+  };
+  unsigned best = 0;
+  for (unsigned parameter = 1; parameter <= MostNameBits; ++parameter)
+  {
+    best = count(parameter) < count(best) ? parameter : best;
+  }
+  return best;
+}
+
+// Names as Rice codes: two bytes with the parameters of the two kinds, then the bits.
+std::vector<unsigned char> WriteNames(const std::vector<Name>& names)
+{
+  const unsigned parameters[2] = { ChooseNameParameter(names, false), ChooseNameParameter(names, true) };
+  BitWriter writer;
+  writer.Bytes = { static_cast<unsigned char>(parameters[0]), static_cast<unsigned char>(parameters[1]) };
+  for (const Name& name : names)
+  {
+    writer.PutRice(name.Number, parameters[name.IsWalk ? 1 : 0]);
+  }
+  return names.empty() ? std::vector<unsigned char>() : std::move(writer.Bytes);
+}
+
+//------------------------------------------------------------------------------
+// The triangles that have an edge in a given direction.
+class Edges
+{
+public:
+  Edges(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
+    : First(vertices + 1, 0)
+    , Corners(3 * triangles.size())
+    , Triangles(triangles)
+    , IsDone(triangles.size(), 0)
+    , Reverse(triangles.size(), Unknown)
+  {
+    for (const vtkMTTriangle& t : triangles)
+    {
+      for (std::uint32_t v : t)
+      {
+        ++this->First[v + std::size_t(1)];
+      }
+    }
+    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
+    std::vector<std::size_t> next(this->First.begin(), this->First.end() - 1);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    {
+      for (std::uint32_t c = 0; c < 3; ++c)
+      {
+        this->Corners[next[triangles[t][c]]++] = { t, c };
+      }
+    }
+  }
+
+  struct Corner
+  {
+    std::uint32_t Triangle = None;
+    std::uint32_t Index = 0;
+  };
+  // A triangle that is not done and runs from a to b, which is its corner `Index` to the next; the first of them, but
+  // rather one that is there a second time the other way round: one goes to it and back by the other one, while nothing
+  // would lead there later, where the surface goes on past it.
+  Corner Find(std::uint32_t a, std::uint32_t b)
+  {
+    Corner found;
+    for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
+    {
+      const Corner& corner = this->Corners[i];
+      if (this->IsDone[corner.Triangle] || this->Get(corner, 1) != b)
+      {
+        continue;
+      }
+      if (found.Triangle == None)
+      {
+        found = corner;
+      }
+      else if (!this->HasReverse(found) && this->HasReverse(corner))
+      {
+        return corner;
+      }
+    }
+    return found;
+  }
+  void Finish(std::uint32_t triangle) { this->IsDone[triangle] = 1; }
+  bool IsFinished(std::uint32_t triangle) const { return this->IsDone[triangle] != 0; }
+
+private:
+  std::uint32_t Get(const Corner& corner, std::uint32_t offset) const
+  {
+    return this->Triangles[corner.Triangle][(corner.Index + offset) % 3];
+  }
+  // Done or not; looked for once, as there may be any number of triangles at a vertex.
+  bool HasReverse(const Corner& corner)
+  {
+    ReverseType& reverse = this->Reverse[corner.Triangle];
+    if (reverse == Unknown)
+    {
+      reverse = this->FindReverse(corner) ? Some : Lone;
+    }
+    return reverse == Some;
+  }
+  bool FindReverse(const Corner& corner) const
+  {
+    const std::uint32_t a = this->Get(corner, 0);
+    for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
+    {
+      const Corner& other = this->Corners[i];
+      if (this->Get(other, 1) == this->Get(corner, 2) && this->Get(other, 2) == this->Get(corner, 1))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  enum ReverseType : unsigned char
+  {
+    Unknown,
+    Some,
+    Lone
+  };
+  std::vector<std::size_t> First;
+  std::vector<Corner> Corners;
+  const std::vector<vtkMTTriangle>& Triangles;
+  std::vector<unsigned char> IsDone;
+  std::vector<ReverseType> Reverse;
+};
+
+class Encoder
+{
+public:
+  Encoder(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
+    : Triangles(triangles)
+    , Behind(triangles, vertices)
+    , Growing(triangles.size(), vertices, this->Work)
+    , Number(vertices, None)
+  {
+    this->Result.Triangles.reserve(triangles.size());
+    this->Result.Order.reserve(triangles.size());
+  }
+
+  Coded Run()
+  {
+    for (std::uint32_t seed = 0; this->Result.Triangles.size() < this->Triangles.size();)
+    {
+      const std::uint32_t gate = this->Growing.Pop();
+      if (gate != None)
+      {
+        this->Cross(gate);
+        continue;
+      }
+      while (this->Behind.IsFinished(seed))
+      {
+        ++seed;
+      }
+      this->StartAt(seed);
+    }
+    this->Result.Steps = std::move(this->Steps.Bytes);
+    this->Result.Names = WriteNames(this->Names);
+    return std::move(this->Result);
+  }
+
+private:
+  std::uint32_t GetDone() const { return static_cast<std::uint32_t>(this->Result.Triangles.size()); }
+
+  void StartAt(std::uint32_t triangle)
+  {
+    const vtkMTTriangle& t = this->Triangles[triangle];
+    for (std::uint32_t v : t)
+    {
+      this->PutName(v);
+    }
+    this->Behind.Finish(triangle);
+    this->Growing.Start(t, this->GetDone());
+    this->Result.Triangles.push_back(t);
+    this->Result.Order.push_back(triangle);
+  }
+
+  // 0 is a new vertex, k the k-th last one that was met.
+  void PutName(std::uint32_t vertex)
+  {
+    const bool isNew = this->Number[vertex] == None;
+    this->Names.push_back({ isNew ? 0 : this->Met - this->Number[vertex], false });
+    this->Number[vertex] = isNew ? this->Met++ : this->Number[vertex];
+  }
+
+  void PutWalk(std::uint32_t gate, std::uint32_t vertex)
+  {
+    const std::uint32_t walk = FindWalk(this->Growing, gate, vertex);
+    this->Names.push_back({ walk, true });
+    if (walk == 0)
+    {
+      this->PutName(vertex);
+    }
+  }
+
+  void Cross(std::uint32_t gate)
+  {
+    const Gate g = this->Growing.Get(gate);
+    const Edges::Corner behind = this->Behind.Find(g.To, g.From);
+    const std::uint32_t situation = g.Beside;
+    if (behind.Triangle == None)
+    {
+      this->Steps.Put(Nothing, situation);
+      this->Growing.MakeBorder(gate);
+      return;
+    }
+    const std::uint32_t third = this->Triangles[behind.Triangle][(behind.Index + 2) % 3];
+    const bool isNew = this->Number[third] == None;
+    const Step step = isNew ? New : FindStep(this->Growing, gate, third);
+    this->Steps.Put(step, situation);
+    switch (step)
+    {
+      case New:
+        this->Growing.Split(gate, third, this->GetDone());
+        break;
+      case Right:
+      case Left:
+        this->Growing.Join(gate, this->Growing.GetNeighbour(gate, step == Right), step == Right, this->GetDone());
+        break;
+      case Both:
+        this->Growing.JoinBoth(gate);
+        break;
+      default:
+        this->PutWalk(gate, third);
+        this->Growing.SplitAt(gate, third, this->GetDone());
+    }
+    this->Number[third] = isNew ? this->Met++ : this->Number[third];
+    this->Behind.Finish(behind.Triangle);
+    this->Result.Triangles.push_back({ g.To, g.From, third });
+    this->Result.Order.push_back(behind.Triangle);
+  }
+
+  const std::vector<vtkMTTriangle>& Triangles;
+  Edges Behind;
+  Workspace Work;
+  Front Growing;
+  std::vector<std::uint32_t> Number;
+  std::uint32_t Met = 0;
+  BitWriter Steps;
+  std::vector<Name> Names;
+  Coded Result;
+};
+}
+
+namespace vtkMTTriangleCodec
+{
+Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
+{
+  return Encoder(triangles, vertices).Run();
+}
+}
