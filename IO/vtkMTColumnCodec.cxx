@@ -325,10 +325,8 @@ bool UnpackDirections(
   {
     return false;
   }
-  std::vector<unsigned char> bytes(size + vtkMTRiceCode::Reader::LowSlack);
-  std::memcpy(bytes.data(), data, size);
   std::memcpy(&record, data, sizeof(record));
-  const unsigned char* const parameters = bytes.data() + sizeof(record);
+  const unsigned char* const parameters = data + sizeof(record);
   std::size_t lowSizes[2] = { 0, 0 };
   for (std::size_t block = 0; block < blocks; ++block)
   {
@@ -342,20 +340,20 @@ bool UnpackDirections(
     return false;
   }
   const unsigned char* const low = parameters + blocks;
-  const unsigned char* const unary = bytes.data() + before;
-  vtkMTRiceCode::Reader readers[2] = { { low, unary, record.UnarySize },
-    { low + lowSizes[0], unary + record.UnarySize, size - before - record.UnarySize } };
+  const unsigned char* const unary = data + before;
+  std::array<vtkMTRiceCode::Reader, 2> readers = { vtkMTRiceCode::Reader(low, unary, record.UnarySize),
+    vtkMTRiceCode::Reader(low + lowSizes[0], unary + record.UnarySize, size - before - record.UnarySize) };
   std::vector<std::uint16_t> known[2] = { std::vector<std::uint16_t>(tuples + 1),
     std::vector<std::uint16_t>(tuples + 1) };
   known[0][0] = record.First[0];
   known[1][0] = record.First[1];
-  std::array<std::array<std::uint32_t, vtkMTRiceCode::BlockSize>, 2> codes{};
+  std::uint32_t codes[vtkMTRiceCode::BlockSize][2];
   for (std::size_t block = 0; block < blocks; ++block)
   {
     const std::size_t begin = block * vtkMTRiceCode::BlockSize;
     const std::size_t count = std::min(vtkMTRiceCode::BlockSize, tuples - begin);
-    if (!readers[0].Read(parameters[block] & 15, count, codes[0].data(), 1) ||
-      !readers[1].Read(parameters[block] >> 4, count, codes[1].data(), 1))
+    const unsigned both = parameters[block];
+    if (!vtkMTRiceCode::ReadBlock(readers, { both & 15u, both >> 4u }, count, codes, std::make_index_sequence<2>()))
     {
       return false;
     }
@@ -365,7 +363,7 @@ bool UnpackDirections(
       for (std::size_t k = 0; k < 2; ++k)
       {
         known[k][i + 1] =
-          static_cast<std::uint16_t>(Expect(known[k].data(), basis, i) + FromZigzag16(codes[k][i - begin]));
+          static_cast<std::uint16_t>(Expect(known[k].data(), basis, i) + FromZigzag16(codes[i - begin][k]));
       }
     }
   }

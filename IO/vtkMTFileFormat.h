@@ -15,7 +15,7 @@ namespace vtkMTFileFormat
 {
 // As PNG's: a byte with the high bit set, both kinds of line end and an end-of-file mark show damage by text transfer.
 constexpr unsigned char Magic[8] = { 0x89, 'B', 'M', 'T', '\r', '\n', 0x1a, '\n' };
-constexpr std::uint32_t Version = 4;
+constexpr std::uint32_t Version = 5;
 constexpr std::uint64_t Alignment = 16;  // of every block and section; the gaps are zero and under the checksum before
 constexpr std::uint64_t PageSize = 4096; // the patches begin on one
 

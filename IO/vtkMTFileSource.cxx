@@ -109,9 +109,9 @@ struct vtkMTFileSource::Internals
       {
         size += static_cast<std::size_t>(Align(sections[end].StoredSize));
       }
-      if (buffer.size() < size)
+      if (buffer.size() < size + vtkMTPatchCodec::Slack)
       {
-        buffer.resize(size);
+        buffer.resize(size + vtkMTPatchCodec::Slack);
       }
       if (!this->Bytes->Read(sections[first].Offset, size, buffer.data(), error))
       {
@@ -273,8 +273,9 @@ void vtkMTFileSource::ReadPatches(
     try
     {
       std::string error;
-      buffer.resize(read ? static_cast<std::size_t>(run.End - run.Begin) : 0);
-      read = read && self.Bytes->Read(run.Begin, buffer.size(), buffer.data(), error);
+      const std::size_t size = read ? static_cast<std::size_t>(run.End - run.Begin) : 0;
+      buffer.resize(size + vtkMTPatchCodec::Slack);
+      read = read && self.Bytes->Read(run.Begin, size, buffer.data(), error);
     }
     catch (const std::bad_alloc&)
     {

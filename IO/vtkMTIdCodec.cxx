@@ -154,10 +154,12 @@ bool Read(vtkMTNumberCode::Reader& side, std::vector<std::uint32_t>& borderOrder
   {
     return false;
   }
-  identities.clear();
+  identities.resize(shared);
+  Identity* identity = identities.data();
+  std::uint32_t left = shared;
   std::vector<std::uint32_t> before(highs.size(), 0);
   std::size_t at = 0;
-  while (identities.size() < shared)
+  while (left > 0)
   {
     std::uint64_t kind = 0;
     std::uint64_t more = 0;
@@ -177,16 +179,18 @@ bool Read(vtkMTNumberCode::Reader& side, std::vector<std::uint32_t>& borderOrder
       continue;
     }
     const std::uint64_t high = (kind - 1) / 2;
-    if (high >= highs.size() || more >= shared - identities.size() || !side.Get(code) || code > 0xffffffffu)
+    if (high >= highs.size() || more >= left || !side.Get(code) || code > 0xffffffffu)
     {
       return false;
     }
     const std::uint32_t step = kind % 2 != 0 ? 1 : ~std::uint32_t(0);
     std::uint32_t low = before[high] + FromZigzag(static_cast<std::uint32_t>(code)) - step;
+    const std::uint64_t highBits = std::uint64_t(highs[high]) << 32;
+    left -= static_cast<std::uint32_t>(end - at);
     for (; at < end; ++at)
     {
       low += step;
-      identities.push_back({ borderOrder[at], (std::uint64_t(highs[high]) << 32) | low });
+      *identity++ = { borderOrder[at], highBits | low };
     }
     before[high] = low;
   }

@@ -2,9 +2,11 @@
 #include "vtkMTPackedGeometry.h"
 
 #include "vtkMTByteCodec.h"
+#include "vtkMTFill.h"
 #include "vtkMTGraph.h"
 #include "vtkMTIdCodec.h"
 #include "vtkMTNumberCode.h"
+#include "vtkMTPatchCodec.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTPositionCodec.h"
 #include "vtkMTTraversal.h"
@@ -39,7 +41,8 @@ using SideReader = vtkMTNumberCode::Reader;
 using vtkMTNumberCode::Append;
 using vtkMTTriangleCodec::Basis;
 
-constexpr std::size_t Slack = vtkMTRiceCode::Reader::LowSlack;
+constexpr std::size_t Slack = vtkMTRiceCode::Reader::Slack;
+static_assert(Slack <= vtkMTPatchCodec::Slack);
 
 //------------------------------------------------------------------------------
 // The wedges' points: 0 is the next point that was not met yet, k the k-th last one met.
@@ -203,8 +206,9 @@ void PlacePoints(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& pa
     isShared[identity.Point] = 1;
   }
   std::vector<std::uint32_t>& place = traversal.PointOfStream;
+  std::vector<std::uint32_t>& stream = traversal.StreamOfPoint;
   place.resize(record.Points);
-  patch.Points.resize(record.Points);
+  stream.resize(record.Points);
   std::uint32_t shared = 0;
   for (std::uint32_t i = 0; i < record.Points; ++i)
   {
@@ -213,8 +217,15 @@ void PlacePoints(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& pa
     const std::uint32_t to = (shared & mask) | ((record.SharedPoints + i - shared) & ~mask);
     shared += isShared[i];
     place[i] = to;
-    std::memcpy(patch.Points[to].data(), &traversal.Places[i + std::size_t(1)], sizeof(vtkMTPoint));
+    stream[to] = i;
   }
+  vtkMTFill(patch.Points, record.Points,
+    [from = stream.data(), places = traversal.Places.data() + 1](std::size_t i)
+    {
+      vtkMTPoint point;
+      std::memcpy(point.data(), places + from[i], sizeof(point));
+      return point;
+    });
   patch.Ids.resize(record.SharedPoints);
   for (const vtkMTIdCodec::Identity& identity : traversal.Identities)
   {
@@ -239,12 +250,11 @@ void Place(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& patch)
     }
   }
   const std::uint32_t* const place = traversal.WedgeOfStream.data();
-  patch.Triangles.resize(record.Triangles);
-  for (std::uint32_t t = 0; t < record.Triangles; ++t)
-  {
-    const std::array<std::uint32_t, 4>& triangle = traversal.Mesh.Triangles[t];
-    patch.Triangles[t] = { place[triangle[0]], place[triangle[1]], place[triangle[2]] };
-  }
+  const std::array<std::uint32_t, 4>* const triangles = traversal.Mesh.Triangles.data();
+  vtkMTFill(patch.Triangles, record.Triangles,
+    [place, triangles](std::size_t t) {
+      return vtkMTTriangle{ place[triangles[t][0]], place[triangles[t][1]], place[triangles[t][2]] };
+    });
 }
 }
 
@@ -319,13 +329,11 @@ bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64
   {
     return false;
   }
-  // The side stream, then the bits, with room behind each for loads of a whole word.
   const std::size_t before = sizeof(stored) + record.StoredSideSize;
+  const unsigned char* const bits = data + before;
   const std::size_t bitsSize = static_cast<std::size_t>(size) - before;
   std::vector<unsigned char>& bytes = traversal.Bytes;
-  bytes.resize(record.SideSize + bitsSize + 2 * Slack);
-  unsigned char* const bits = bytes.data() + record.SideSize + Slack;
-  std::memcpy(bits, data + before, bitsSize);
+  bytes.resize(record.SideSize + Slack); // for loads of a whole word
   SideReader side(bytes.data(), record.SideSize);
   if (!vtkMTByteCodec::Decompress(codec, data + sizeof(stored), record.StoredSideSize, bytes.data(), record.SideSize) ||
     !ReadTriangles(side, record, traversal.Mesh) || !ReadWedges(side, record, traversal.WedgePoints) ||

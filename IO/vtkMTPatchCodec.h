@@ -7,6 +7,7 @@
 #include "vtkMTGraph.h"
 #include "vtkMTPatch.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,16 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
 /// Whether a section's bytes (with padding) are as they were written, and of a codec that is known here.
 bool Check(const vtkMTFileFormat::SectionRecord& section, const unsigned char* padded, std::string& error);
 
+/// So many bytes behind a section can be read while it is decoded. What they are does not matter.
+constexpr std::size_t Slack = 8;
+
 /// The geometry of an arc's patch from its section's bytes, and how its triangles were met. Nothing is allocated before
 /// the sizes have been found right.
 bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
   vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
 
-/// An array's column from its section's bytes, after the geometry of the same patch.
+/// An array's column from its section's bytes, after the geometry of the same patch; Slack bytes behind them can be read,
+/// too.
 bool DecodeColumn(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
   const vtkMTArrayInfo& array, const vtkMTTraversal& traversal, vtkMTColumn& column, std::string& error);
 }

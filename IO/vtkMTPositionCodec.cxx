@@ -26,14 +26,14 @@ std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
 // as nobody can guess which.
 struct Rounding
 {
+  Wide Half;
+  Wide Kept;
   unsigned Shift;
-  std::uint32_t Half;
-  std::uint32_t Kept;
 
-  Rounding(unsigned shift, bool isCoarse)
-    : Shift(isCoarse ? shift : 0)
-    , Half((1u << this->Shift) >> 1)
-    , Kept(~std::uint32_t(0) << this->Shift)
+  explicit Rounding(unsigned shift)
+    : Half(Wide{} + ((1u << shift) >> 1))
+    , Kept(Wide{} + (~std::uint32_t(0) << shift))
+    , Shift(shift)
   {
   }
   Wide Apply(const Wide& expected, const Wide& difference) const
@@ -230,6 +230,7 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
     places.resize(points + 1);
   }
   const Wide near = GetNear(source.IsNear);
+  const Rounding roundings[2] = { Rounding(0), Rounding(source.Shift) };
   Wide* const out = places.data();
   out[0] = Widen(corner);
   alignas(Wide) std::uint32_t codes[vtkMTRiceCode::BlockSize][4] = {};
@@ -238,12 +239,11 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
   {
     const std::size_t begin = block * vtkMTRiceCode::BlockSize;
     const std::size_t count = std::min(vtkMTRiceCode::BlockSize, points - begin);
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    const unsigned char* const parameters = source.Parameters + block;
+    if (!vtkMTRiceCode::ReadBlock(readers, { parameters[0], parameters[blocks], parameters[2 * blocks] }, count, codes,
+          std::make_index_sequence<3>()))
     {
-      if (!readers[axis].Read(source.Parameters[axis * blocks + block], count, &codes[0][axis], 4))
-      {
-        return false;
-      }
+      return false;
     }
     for (std::size_t i = begin; i < begin + count; ++i)
     {
@@ -252,7 +252,7 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
       const Wide expected = Expect(out, GetBasis(bases, i), near);
       out[i + 1] = source.Shift == 0
         ? expected + FromZigzags(code)
-        : Rounding(source.Shift, GetBit(source.Coarse, i)).Apply(expected, FromZigzags(code));
+        : roundings[GetBit(source.Coarse, i) ? 1 : 0].Apply(expected, FromZigzags(code));
     }
   }
   return readers[0].IsAtEnd() && readers[1].IsAtEnd() && readers[2].IsAtEnd();

@@ -50,7 +50,7 @@ struct Source
   const unsigned char* Parameters;       ///< x's blocks, y's, z's
   std::array<std::size_t, 2> UnarySizes; ///< x's, y's; z's is what is left
   const unsigned char* Bits;             ///< low bits of x, y and z, unary codes of x, y and z; with
-                                         ///< vtkMTRiceCode::Reader::LowSlack bytes behind the end that can be read
+                                         ///< vtkMTRiceCode::Reader::Slack bytes behind the end that can be read
   std::size_t BitsSize;
 };
 

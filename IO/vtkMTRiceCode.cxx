@@ -2,7 +2,6 @@
 #include "vtkMTRiceCode.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace
 {
@@ -101,47 +100,5 @@ Coded Encode(const std::vector<std::uint32_t>& codes, unsigned mostBits)
   low.Finish();
   unary.Finish();
   return coded;
-}
-
-bool Reader::LoadWord()
-{
-  if (this->WordEnd >= this->UnarySize)
-  {
-    return false;
-  }
-  const std::size_t have = std::min(sizeof(this->Word), this->UnarySize - this->WordEnd);
-  this->Word = 0;
-  std::memcpy(&this->Word, this->Unary + this->WordEnd, have);
-  this->WordEnd += sizeof(this->Word);
-  return true;
-}
-
-bool Reader::Read(unsigned parameter, std::size_t count, std::uint32_t* codes, std::size_t stride)
-{
-  const std::uint64_t mask = (std::uint64_t(1) << parameter) - 1;
-  std::uint64_t word = this->Word;
-  std::uint64_t lastEnd = this->LastEnd;
-  std::size_t bit = 0;
-  for (std::size_t i = 0; i < count; ++i, bit += parameter)
-  {
-    while (word == 0)
-    {
-      if (!this->LoadWord())
-      {
-        return false;
-      }
-      word = this->Word;
-    }
-    const std::uint64_t end = 8 * (this->WordEnd - sizeof(word)) + static_cast<unsigned>(__builtin_ctzll(word)) + 1;
-    word &= word - 1;
-    std::uint64_t low;
-    std::memcpy(&low, this->Low + bit / 8, sizeof(low));
-    codes[i * stride] = static_cast<std::uint32_t>(((end - lastEnd - 1) << parameter) | ((low >> (bit % 8)) & mask));
-    lastEnd = end;
-  }
-  this->Word = word;
-  this->LastEnd = lastEnd;
-  this->Low += GetLowSize(count, parameter);
-  return true;
 }
 }

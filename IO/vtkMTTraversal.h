@@ -24,6 +24,7 @@ struct vtkMTTraversal
   std::vector<unsigned char> Bytes;  ///< the geometry's streams
   std::vector<std::uint32_t> WedgePoints;
   std::vector<std::uint32_t> PointOfStream;
+  std::vector<std::uint32_t> StreamOfPoint;
   std::vector<vtkMTTriangleCodec::Basis> PointBases;
   std::vector<vtkMTPositionCodec::Wide> Places;
   std::vector<vtkMTIdCodec::Identity> Identities;

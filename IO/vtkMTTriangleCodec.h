@@ -2,18 +2,21 @@
 /**
  * The triangles of a patch as steps of a growing front, about two bits each. Not installed.
  *
- * Cut-border coding (Gumhold and Strasser, "Real time compression of triangle mesh connectivity", 1998), made to take
- * every set of triangles. The front is made of *gates*, directed edges of triangles that are known. One gate after the
- * other is taken; the triangle behind it is said by how its third vertex is found: it is new, it is the end of the
- * front's next or previous edge, both at once, or one that was met before and is named; or there is none. When no
- * gate is left, a triangle starts with three vertices that are named. Vertices are numbered as they are met (the
- * *stream order*), so nothing else has to be said, and every new vertex comes with the triangle across its gate, from
- * which its place can be expected. How a step is said depends on
- * whether the gates beside are open and how the gate was made; gates know both, so the decoder waits for nothing else.
+ * Cut-border coding (Gumhold and Strasser, "Real time compression of triangle mesh connectivity", 1998) in an order
+ * like Edgebreaker's (Rossignac, "Edgebreaker: connectivity compression for triangle meshes", 1999), made to take every
+ * set of triangles. The front is a ring of *gates*, directed edges of triangles that are known, each asked once for the
+ * triangle behind it. That is said by how its third vertex is found: it is new, it is the far end of the next gate in
+ * the direction in which the front is followed, or of the one after that, or of the one before, or one that was met
+ * earlier and is named; or there is none. Triangles are laid about one end of the gate until the next gate is joined,
+ * then about its far end, and so on along the front. Two gates that run to and fro between the same vertices are done
+ * with when they come to lie beside each other, so nothing has to be known of the front but the gates on both sides:
+ * these are two stacks, and there are no links. When no gate is left, a triangle starts with three vertices that are
+ * named. Vertices are numbered as they are met (the *stream order*), so nothing else has to be said, and every new
+ * vertex comes with the triangle across its gate, from which its place can be expected.
  *
- * Gates are taken in the order in which they were made, cell by cell: after so many, what is left waits on a stack and
- * the next cell grows from one gate of it. Cells are small compact pieces, so the triangles, which are kept in this
- * order, find most of their vertices in the GPU's vertex cache (Testing/Benchmarks/vertex_cache).
+ * After a few joined gates the front turns, and goes back over what it has just laid. So it grows in narrow bands, and
+ * the triangles, which are kept in this order, find most of their vertices in the GPU's vertex cache
+ * (Testing/Benchmarks/vertex_cache). Why so: Documentation/decisions/0027-triangles-in-sweeps.md.
  */
 #ifndef vtkMTTriangleCodec_h
 #define vtkMTTriangleCodec_h
@@ -28,10 +31,9 @@
 namespace vtkMTTriangleCodec
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
-constexpr std::uint32_t CellSize = 96; // gates; smaller cells cost bits, larger ones leave the cache
 
-/// For a vertex in stream order, the gate at which it was met and the vertex across: its place is expected at a + b -
-/// c. With c None it is at a alone; with a None too, nothing is known.
+/// For a vertex in stream order, the gate at which it was met, its rear and its hinge, and the vertex across: its place
+/// is expected at a + b - c. With c None it is at a alone; with a None too, nothing is known.
 struct Basis
 {
   std::uint32_t A = None;
@@ -50,31 +52,33 @@ struct Coded
 /// Every triangle's indices are below `vertices`.
 Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices);
 
-/// An edge of the front.
+/// A gate that waits beside the present one, or several that are closed.
 struct Gate
+{
+  /// As bits of what decides how the next step is said.
+  enum StateType : std::uint32_t
+  {
+    Open = 0,
+    Closed = 1 << 3 | 1 << 4,
+    End = 1 << 3 | 1 << 4 | 1 << 5 ///< behind the last gate
+  };
+  std::uint32_t Vertex; ///< its end that is farther from the present one
+  std::uint32_t Across; ///< the third vertex of the gate's triangle
+  std::uint32_t Owner;  ///< that triangle
+  std::uint32_t State;
+};
+struct BorderGate
 {
   std::uint32_t From;
   std::uint32_t To;
-  std::uint32_t Across; ///< the third vertex of the gate's triangle
-  std::uint32_t Owner;  ///< that triangle
-  std::uint32_t Previous;
-  std::uint32_t Next;
-  std::uint32_t State;
-  std::uint32_t Beside; ///< bits: what decides how the next step is said
-};
-struct GateRange
-{
-  std::uint32_t Begin;
-  std::uint32_t End;
 };
 
 /// Memory that is worth keeping from one patch to the next.
 struct Workspace
 {
   std::vector<Gate> Gates;
-  std::vector<std::uint32_t> GateFrom;
-  std::vector<GateRange> Waiting;
-  std::vector<std::uint32_t> BorderGates; ///< as they became that, then those that are still open
+  std::vector<BorderGate> BorderGates; ///< as they became that, then those that are still open
+  std::vector<std::uint32_t> BorderFrom;
 };
 
 /// Triangles in the order of their codes, of vertices in stream order. The vectors only grow from call to call; what
@@ -86,8 +90,8 @@ struct Decoded
   /// Three vertices, and the triangle across the gate behind which this one was found; None at a start.
   std::vector<std::array<std::uint32_t, 4>> Triangles;
   std::vector<Basis> Bases; ///< of the vertices
-  /// The vertices from which the gates start that are left in the end, loop by loop, which are the border of the
-  /// triangles; one may be there more than once.
+  /// The vertices from which the gates start behind which nothing was found, loop by loop, which are the border of the
+  /// triangles; one may be there more than once, and so may both ends of an edge inside that was asked from both sides.
   std::vector<std::uint32_t> Border;
   Workspace Work;
 };

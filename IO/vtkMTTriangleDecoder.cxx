@@ -17,25 +17,24 @@ public:
     , Size(size)
   {
   }
-  // How many ones; more than there may be when the bits have ended, or some time after.
+  // How many ones; too many when the bits have ended, or some time after.
   unsigned Get()
   {
-    if (this->Have <= MostOnes)
+    if (this->Have <= TooManyOnes)
     {
       if (this->At > this->Size)
       {
-        return MostOnes + 1;
+        return TooManyOnes;
       }
       std::uint64_t more;
       std::memcpy(&more, this->Bytes + this->At, sizeof(more));
-      this->Pending |= more << this->Have;
+      this->Pending |= ~more << this->Have;
       this->At += (63 - this->Have) / 8;
       this->Have |= 56;
     }
-    const auto ones = static_cast<unsigned>(__builtin_ctzll(~this->Pending | (std::uint64_t(1) << MostOnes)));
-    const unsigned length = ones + (ones < MostOnes ? 1 : 0);
-    this->Pending >>= length;
-    this->Have -= length;
+    const auto ones = static_cast<unsigned>(__builtin_ctzll(this->Pending | (std::uint64_t(1) << TooManyOnes)));
+    this->Pending = this->Pending >> ones >> 1;
+    this->Have -= ones + 1;
     return ones;
   }
   // Whether no more bits were taken than there are, and nothing but the zeros that fill the last byte are left.
@@ -49,7 +48,7 @@ private:
   const unsigned char* Bytes;
   std::size_t Size;
   std::size_t At = 0;
-  std::uint64_t Pending = 0;
+  std::uint64_t Pending = 0; // the bits, inverted
   unsigned Have = 0;
 };
 
@@ -130,42 +129,46 @@ class Decoder
 {
 public:
   Decoder(StepReader steps, NameReader names, Decoded& out)
-    : Now{ Front(out.NumberOfTriangles, out.NumberOfVertices, out.Work), steps, 0, 0, 0 }
+    : Now{ Front(out.NumberOfTriangles, out.Work), steps, 0, 0, 0 }
     , Names(names)
     , Triangles(EnsureSize(out.Triangles, out.NumberOfTriangles))
-    , Bases(EnsureSize(out.Bases, out.NumberOfVertices))
+    , Bases(EnsureSize(out.Bases, out.NumberOfVertices + std::size_t(1))) // one to write to where no vertex is new
     , BorderGates(EnsureSize(out.Work.BorderGates, 3 * std::size_t(out.NumberOfTriangles)))
     , Out(out)
   {
-    this->Out.Border.clear();
   }
 
   bool Run()
   {
     while (this->Now.Done < this->Out.NumberOfTriangles)
     {
-      std::uint32_t gate = this->Now.Growing.Pop();
-      if (gate == None ? !this->Start() : !this->Cross(gate))
+      if (!(this->Now.Growing.HasGate() ? this->Cross() : this->Start()))
       {
         return false;
       }
     }
     std::fill(this->Bases + this->Now.Met, this->Bases + this->Out.NumberOfVertices, Basis());
-    this->TakeBorder();
+    this->Now.Growing.SeeOpen([this](std::uint32_t from, std::uint32_t to) { this->PutBorder(this->Now, from, to); });
+    this->FollowBorder();
     return this->Now.Steps.IsAtEnd() && this->Names.IsAtEnd();
   }
 
 private:
-  void TakeBorder()
+  bool Start()
   {
-    for (std::uint32_t gate = this->Now.Growing.Pop(); gate != None; gate = this->Now.Growing.Pop())
+    vtkMTTriangle t;
+    std::uint32_t before = None;
+    for (std::uint32_t& vertex : t)
     {
-      this->BorderGates[this->Now.Borders++] = gate;
+      if (!this->TakeName(before, vertex))
+      {
+        return false;
+      }
+      before = vertex;
     }
-    for (std::uint32_t i = 0; i < this->Now.Borders; ++i)
-    {
-      this->Now.Growing.TakeLoop(this->BorderGates[i], this->Out.Border);
-    }
+    this->Now.Growing.Start(t, this->Now.Done);
+    this->Triangles[this->Now.Done++] = { t[0], t[1], t[2], None };
+    return true;
   }
 
   bool TakeName(std::uint32_t before, std::uint32_t& vertex)
@@ -184,127 +187,167 @@ private:
     return true;
   }
 
-  bool Start()
+  // As long as there is a gate. What is asked for all the time is in local variables meanwhile, which nothing that is
+  // written can change.
+  bool Cross()
   {
-    vtkMTTriangle t;
-    std::uint32_t before = None;
-    for (std::uint32_t& vertex : t)
+    Cursor now = this->Now;
+    const std::uint32_t end = this->Out.NumberOfTriangles;
+    const std::uint32_t most = this->Out.NumberOfVertices;
+    while (now.Done < end)
     {
-      if (!this->TakeName(before, vertex))
+      const unsigned ones = now.Steps.Get();
+      const Step step = Steps[now.Growing.GetSituation() + ones];
+      if (__builtin_expect(step <= New, 1))
+      {
+        this->TakeNear(now, step);
+        if (now.Met > most)
+        {
+          return false;
+        }
+        if (!now.Growing.IsUnsettled())
+        {
+          continue;
+        }
+        now.Growing.Settle();
+      }
+      else if (!this->TakeOther(now, step))
       {
         return false;
       }
-      before = vertex;
-    }
-    this->Now.Growing.Start(t, this->Now.Done);
-    this->Triangles[this->Now.Done++] = { t[0], t[1], t[2], None };
-    return true;
-  }
-
-  // From this gate on as far as the cell goes, or to a vertex that is named. What is asked for all the time is in
-  // local variables meanwhile, which nothing that is written can change.
-  bool Cross(std::uint32_t gate)
-  {
-    Cursor now = this->Now;
-    Step step = New;
-    const std::uint32_t end = this->Out.NumberOfTriangles;
-    for (; gate != None; gate = now.Done < end ? now.Growing.PopOfCell() : None)
-    {
-      const unsigned ones = now.Steps.Get();
-      const std::uint32_t situation = now.Growing.Get(gate).Beside;
-      step = Steps[situation][ones];
-      if (ones == 0 && now.Met < this->Out.NumberOfVertices)
-      {
-        this->TakeNew(now, gate);
-      }
-      else if (ones - 1 < 2 && situation >= BothAreOpen && !now.Growing.IsAlone(gate))
-      {
-        this->TakeJoin(now, gate, ones - 1 == (situation & LeansLeft));
-      }
-      else if (!this->TakeOther(now, gate, step))
+      if (!now.Growing.HasGate())
       {
         break;
       }
     }
     this->Now = now;
-    return gate == None || (step == Named && this->CrossToNamed(gate));
+    return true;
   }
 
-  void TakeNew(Cursor& now, std::uint32_t gate)
+  // The next vertex or the one ahead.
+  [[gnu::always_inline]] void TakeNear(Cursor& now, Step step)
   {
-    const Gate& g = now.Growing.Get(gate);
+    static_assert(Ahead == 0 && New == 1);
+    std::uint32_t isNew = 0u - step;
+    asm("" : "+r"(isNew)); // otherwise the compiler makes a branch of it, which is guessed wrong half of the time
+    const Front& front = now.Growing;
+    const std::uint32_t third = Front::Pick(isNew, now.Met, front.GetAhead());
+    std::array<std::uint32_t, 4>& triangle = this->Triangles[now.Done];
+    triangle[front.IsForward() ^ 1] = front.GetHinge();
+    triangle[front.IsForward()] = front.GetRear();
+    triangle[2] = third;
+    triangle[3] = front.GetOwner();
     Basis& basis = this->Bases[now.Met];
-    basis.A = g.From;
-    basis.B = g.To;
-    basis.C = g.Across;
-    this->Put(now, g, now.Met);
-    now.Growing.Split(gate, now.Met++, now.Done++);
+    basis.A = front.GetRear();
+    basis.B = front.GetHinge();
+    basis.C = front.GetAcross();
+    now.Growing.Grow(isNew, third, now.Done++);
+    now.Met -= isNew;
   }
 
-  void TakeJoin(Cursor& now, std::uint32_t gate, bool isRight)
+  [[gnu::always_inline]] bool TakeOther(Cursor& now, Step step)
   {
-    const std::uint32_t neighbour = now.Growing.GetNeighbour(gate, isRight);
-    const Gate& other = now.Growing.Get(neighbour);
-    this->Put(now, now.Growing.Get(gate), isRight ? other.To : other.From);
-    now.Growing.Join(gate, neighbour, isRight, now.Done++);
-  }
-
-  // What comes less often. False when the vertex is named, and when the step is impossible. Inlined, as the cursor
-  // would have to be in memory for a call.
-  [[gnu::always_inline]] bool TakeOther(Cursor& now, std::uint32_t gate, Step step)
-  {
+    const std::uint32_t from = now.Growing.GetFrom();
+    const std::uint32_t to = now.Growing.GetTo();
     if (step == Nothing)
     {
-      now.Growing.MakeBorder(gate);
-      this->BorderGates[now.Borders++] = gate;
+      this->PutBorder(now, from, to);
+      now.Growing.MakeBorder();
       return true;
     }
-    if (step == Both && now.Growing.HasTwoNeighbours(gate))
+    if (step == Impossible)
     {
-      this->Put(now, now.Growing.Get(gate), now.Growing.GetRight(gate));
-      now.Growing.JoinBoth(gate);
-      ++now.Done;
-      return true;
+      return false;
     }
-    const bool isJoin = (step == Right || step == Left) && !now.Growing.IsAlone(gate);
-    if (isJoin)
+    std::uint32_t walk = step == Behind ? 2 : 3;
+    std::uint32_t third = None;
+    if (step != Named)
     {
-      this->TakeJoin(now, gate, step == Right);
+      third = now.Growing.Walk(walk);
     }
-    return isJoin;
+    else if (!this->TakeThird(now, walk, third))
+    {
+      return false;
+    }
+    if (third == None)
+    {
+      return false;
+    }
+    this->PutTriangle(now, to, from, third);
+    if (step == Behind)
+    {
+      now.Growing.JoinBehind(now.Done++);
+    }
+    else if (step == Named && IsBehind(walk))
+    {
+      now.Growing.SplitBehind(third, now.Done++);
+    }
+    else
+    {
+      now.Growing.Split(third, now.Done++, AfterOther);
+    }
+    return true;
   }
 
-  // The triangle behind a gate.
-  void Put(const Cursor& now, const Gate& gate, std::uint32_t third)
-  {
-    std::array<std::uint32_t, 4>& triangle = this->Triangles[now.Done];
-    triangle[0] = gate.To;
-    triangle[1] = gate.From;
-    triangle[2] = third;
-    triangle[3] = gate.Owner;
-  }
-
-  bool CrossToNamed(std::uint32_t gate)
+  [[gnu::always_inline]] bool TakeThird(const Cursor& now, std::uint32_t& steps, std::uint32_t& third)
   {
     std::uint64_t walk = 0;
     std::uint64_t back = 0;
     if (!this->Names.GetWalk(walk) || walk > MostWalk ||
-      (walk == 0 && (!this->Names.GetBack(back) || back == 0 || back > this->Now.Met)))
+      (walk == 0 && (!this->Names.GetBack(back) || back == 0 || back > now.Met)))
     {
       return false;
     }
-    const std::uint32_t third = walk == 0 ? this->Now.Met - static_cast<std::uint32_t>(back)
-                                          : this->Now.Growing.Walk(gate, static_cast<std::uint32_t>(walk));
-    this->Put(this->Now, this->Now.Growing.Get(gate), third);
-    this->Now.Growing.SplitAt(gate, third, this->Now.Done++);
+    steps = static_cast<std::uint32_t>(walk);
+    third = walk == 0 ? now.Met - static_cast<std::uint32_t>(back) : now.Growing.Walk(steps);
     return true;
+  }
+
+  [[gnu::always_inline]] void PutTriangle(const Cursor& now, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+  {
+    std::array<std::uint32_t, 4>& triangle = this->Triangles[now.Done];
+    triangle[0] = a;
+    triangle[1] = b;
+    triangle[2] = c;
+    triangle[3] = now.Growing.GetOwner();
+  }
+
+  [[gnu::always_inline]] void PutBorder(Cursor& now, std::uint32_t from, std::uint32_t to)
+  {
+    BorderGate& gate = this->BorderGates[now.Borders++];
+    gate.From = from;
+    gate.To = to;
+  }
+
+  // From each gate to the latest one that starts where it ends, as far as none was passed before.
+  void FollowBorder()
+  {
+    const std::uint32_t count = this->Now.Borders;
+    // Only what is written here counts: a gate that is not the right one does not start at the vertex.
+    std::uint32_t* const gateFrom = EnsureSize(this->Out.Work.BorderFrom, this->Out.NumberOfVertices);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      gateFrom[this->BorderGates[i].From] = i;
+    }
+    this->Out.Border.clear();
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      std::uint32_t from = this->BorderGates[i].From;
+      for (std::uint32_t gate = i; from != None && gate < count && this->BorderGates[gate].From == from;
+           gate = gateFrom[from])
+      {
+        this->Out.Border.push_back(from);
+        this->BorderGates[gate].From = None;
+        from = this->BorderGates[gate].To;
+      }
+    }
   }
 
   Cursor Now;
   NameReader Names;
   std::array<std::uint32_t, 4>* Triangles;
   Basis* Bases;
-  std::uint32_t* BorderGates;
+  BorderGate* BorderGates;
   Decoded& Out;
 };
 }

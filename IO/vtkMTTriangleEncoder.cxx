@@ -8,24 +8,25 @@ namespace
 {
 using namespace vtkMTTriangleCodec;
 
-// Which of the steps closes the gate with that vertex, if it is on the front beside it.
-Step FindStep(const Front& front, std::uint32_t gate, std::uint32_t vertex)
+// How the third vertex is found when it was met before.
+Step FindStep(const Front& front, std::uint32_t vertex)
 {
-  const Gate& g = front.Get(gate);
-  const bool isRight = !front.IsAlone(gate) && (g.Beside & NextIsOpen) != 0 && front.GetRight(gate) == vertex;
-  const bool isLeft = !front.IsAlone(gate) && (g.Beside & PreviousIsOpen) != 0 && front.GetLeft(gate) == vertex;
-  if (isRight && isLeft && front.HasTwoNeighbours(gate))
+  if (front.IsAheadOpen() && front.Walk(1) == vertex)
   {
-    return Both;
+    return Ahead;
   }
-  return isRight ? Right : (isLeft ? Left : Named);
+  if (front.IsBehindOpen() && front.Walk(2) == vertex)
+  {
+    return Behind;
+  }
+  return front.Walk(3) == vertex ? Second : Named;
 }
 
-// By how many gates it is named; 0 when it is not near.
-std::uint32_t FindWalk(const Front& front, std::uint32_t gate, std::uint32_t vertex)
+// The walk that leads to it; 0 when it is not near.
+std::uint32_t FindWalk(const Front& front, std::uint32_t vertex)
 {
   std::uint32_t walk = 1;
-  while (walk <= MostWalk && front.Walk(gate, walk) != vertex)
+  while (walk <= MostWalk && front.Walk(walk) != vertex)
   {
     ++walk;
   }
@@ -38,15 +39,11 @@ class BitWriter
 public:
   void Put(Step step, std::uint32_t situation)
   {
-    unsigned ones = 0;
-    for (; Steps[situation][ones] != step; ++ones)
+    for (std::uint32_t at = situation; Steps[at] != step; ++at)
     {
       this->PutBit(true);
     }
-    if (ones < MostOnes)
-    {
-      this->PutBit(false);
-    }
+    this->PutBit(false);
   }
   void PutRice(std::uint32_t number, unsigned parameter)
   {
@@ -227,8 +224,8 @@ class Encoder
 public:
   Encoder(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
     : Triangles(triangles)
-    , Behind(triangles, vertices)
-    , Growing(triangles.size(), vertices, this->Work)
+    , Lookup(triangles, vertices)
+    , Growing(triangles.size(), this->Work)
     , Number(vertices, None)
   {
     this->Result.Triangles.reserve(triangles.size());
@@ -239,13 +236,12 @@ public:
   {
     for (std::uint32_t seed = 0; this->Result.Triangles.size() < this->Triangles.size();)
     {
-      const std::uint32_t gate = this->Growing.Pop();
-      if (gate != None)
+      if (this->Growing.HasGate())
       {
-        this->Cross(gate);
+        this->Cross();
         continue;
       }
-      while (this->Behind.IsFinished(seed))
+      while (this->Lookup.IsFinished(seed))
       {
         ++seed;
       }
@@ -266,7 +262,7 @@ private:
     {
       this->PutName(v);
     }
-    this->Behind.Finish(triangle);
+    this->Lookup.Finish(triangle);
     this->Growing.Start(t, this->GetDone());
     this->Result.Triangles.push_back(t);
     this->Result.Order.push_back(triangle);
@@ -280,55 +276,69 @@ private:
     this->Number[vertex] = isNew ? this->Met++ : this->Number[vertex];
   }
 
-  void PutWalk(std::uint32_t gate, std::uint32_t vertex)
+  // Returns the walk.
+  std::uint32_t PutWalk(std::uint32_t vertex)
   {
-    const std::uint32_t walk = FindWalk(this->Growing, gate, vertex);
+    const std::uint32_t walk = FindWalk(this->Growing, vertex);
     this->Names.push_back({ walk, true });
     if (walk == 0)
     {
       this->PutName(vertex);
     }
+    return walk;
   }
 
-  void Cross(std::uint32_t gate)
+  void Cross()
   {
-    const Gate g = this->Growing.Get(gate);
-    const Edges::Corner behind = this->Behind.Find(g.To, g.From);
-    const std::uint32_t situation = g.Beside;
+    const std::uint32_t from = this->Growing.GetFrom();
+    const std::uint32_t to = this->Growing.GetTo();
+    const std::uint32_t situation = this->Growing.GetSituation();
+    const Edges::Corner behind = this->Lookup.Find(to, from);
     if (behind.Triangle == None)
     {
       this->Steps.Put(Nothing, situation);
-      this->Growing.MakeBorder(gate);
+      this->Growing.MakeBorder();
       return;
     }
     const std::uint32_t third = this->Triangles[behind.Triangle][(behind.Index + 2) % 3];
     const bool isNew = this->Number[third] == None;
-    const Step step = isNew ? New : FindStep(this->Growing, gate, third);
+    const Step step = isNew ? New : FindStep(this->Growing, third);
     this->Steps.Put(step, situation);
-    switch (step)
-    {
-      case New:
-        this->Growing.Split(gate, third, this->GetDone());
-        break;
-      case Right:
-      case Left:
-        this->Growing.Join(gate, this->Growing.GetNeighbour(gate, step == Right), step == Right, this->GetDone());
-        break;
-      case Both:
-        this->Growing.JoinBoth(gate);
-        break;
-      default:
-        this->PutWalk(gate, third);
-        this->Growing.SplitAt(gate, third, this->GetDone());
-    }
+    this->Follow(step, third);
     this->Number[third] = isNew ? this->Met++ : this->Number[third];
-    this->Behind.Finish(behind.Triangle);
-    this->Result.Triangles.push_back({ g.To, g.From, third });
+    this->Lookup.Finish(behind.Triangle);
+    this->Result.Triangles.push_back({ to, from, third });
     this->Result.Order.push_back(behind.Triangle);
   }
 
+  void Follow(Step step, std::uint32_t third)
+  {
+    const std::uint32_t triangle = this->GetDone();
+    switch (step)
+    {
+      case Ahead:
+        this->Growing.JoinAhead(triangle);
+        break;
+      case Behind:
+        this->Growing.JoinBehind(triangle);
+        break;
+      case New:
+        this->Growing.Split(third, triangle, AfterNew);
+        break;
+      case Named:
+        if (IsBehind(this->PutWalk(third)))
+        {
+          this->Growing.SplitBehind(third, triangle);
+          break;
+        }
+        [[fallthrough]];
+      default:
+        this->Growing.Split(third, triangle, AfterOther);
+    }
+  }
+
   const std::vector<vtkMTTriangle>& Triangles;
-  Edges Behind;
+  Edges Lookup;
   Workspace Work;
   Front Growing;
   std::vector<std::uint32_t> Number;

@@ -5,63 +5,94 @@
 
 #include "vtkMTTriangleCodec.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 #include <vector>
+
+// The decoder keeps the front in registers, which only works where all that changes it is inlined.
+#define vtkMTInlined [[gnu::always_inline]] inline
 
 namespace vtkMTTriangleCodec
 {
-// Each side's own: as functions that others might share the compiler inlines fewer, and decoding takes 5 % longer.
+// Each side's own: of functions that others might share the compiler inlines fewer.
 namespace
 {
+// How the third vertex of the triangle behind the present gate is found.
 enum Step : unsigned char
 {
-  New,
-  Right,   // the third vertex is the end of the next edge of the front
-  Left,    // it is the start of the previous one
-  Nothing, // no triangle is behind the gate
-  Named,
-  Both, // right and left at once
+  Ahead,   // it is the far end of the gate ahead
+  New,     // it was not met yet
+  Second,  // it is the far end of the second gate ahead
+  Behind,  // it is the far end of the gate behind
+  Named,   // it was met before and is named
+  Nothing, // there is no triangle
   Impossible
 };
 
-// A step is said by so many ones, then a zero, which the last one does without.
-inline constexpr unsigned MostOnes = 5;
-
-// What the ones mean depends on what both sides of the codec know of the gate. What comes oftenest there is first, and
-// what cannot be has no code. That a vertex is new is one zero always: it is known before the gate has been looked at.
-enum Situation : std::uint32_t
+// A step is said by so many ones and a zero. What they mean depends on what both sides of the codec know: what was done
+// last, and whether the gates ahead and behind are open. These are bits of an index, with the ones as the lowest.
+inline constexpr unsigned TooManyOnes = 7;
+enum SituationType : std::uint32_t
 {
-  LeansLeft = 1, // it is the left one of two, or took the place of the next one: it is rather joined to the previous
-  NextIsOpen = 2,
-  PreviousIsOpen = 4,
-  BothAreOpen = NextIsOpen | PreviousIsOpen
+  AheadIsClosed = 1 << 3,
+  BehindIsClosed = 1 << 4,
+  AfterAhead = 0 << 5,
+  AfterNew = 1 << 5,
+  AfterEnd = 2 << 5, // of a gate
+  AfterOther = 3 << 5,
+  NumberOfSituations = 4 << 5
 };
-using StepRow = std::array<Step, 8>;
+using StepRow = std::array<Step, TooManyOnes + 1>;
 
-constexpr StepRow GetSteps(bool leansLeft, bool isNextOpen, bool isPreviousOpen)
+// What comes oftenest is first, and what cannot be has no code.
+constexpr StepRow GetSteps(std::uint32_t situation)
 {
-  if (isNextOpen && isPreviousOpen)
+  const bool isBehindOpen = (situation & BehindIsClosed) == 0;
+  if ((situation & AheadIsClosed) != 0)
   {
-    return { New, leansLeft ? Left : Right, leansLeft ? Right : Left, Named, Nothing, Both, Impossible, Impossible };
+    return { Nothing, New, Named, isBehindOpen ? Behind : Second, isBehindOpen ? Second : Impossible, Impossible,
+      Impossible, Impossible };
   }
-  if (isNextOpen || isPreviousOpen)
+  if (!isBehindOpen)
   {
-    return { New, Nothing, isNextOpen ? Right : Left, Named, Impossible, Impossible, Impossible, Impossible };
+    return { Nothing, New, Ahead, Named, Second, Impossible, Impossible, Impossible };
   }
-  return { New, Nothing, Named, Impossible, Impossible, Impossible, Impossible, Impossible };
+  switch (situation & AfterOther)
+  {
+    case AfterAhead:
+      return { New, Ahead, Nothing, Named, Behind, Second, Impossible, Impossible };
+    case AfterNew:
+      return { New, Ahead, Second, Nothing, Named, Behind, Impossible, Impossible };
+    case AfterEnd:
+      return { New, Behind, Ahead, Named, Nothing, Second, Impossible, Impossible };
+    default:
+      return { Ahead, New, Behind, Named, Second, Nothing, Impossible, Impossible };
+  }
 }
+constexpr std::array<Step, NumberOfSituations> GetAllSteps()
+{
+  std::array<Step, NumberOfSituations> steps{};
+  for (std::uint32_t i = 0; i < NumberOfSituations; ++i)
+  {
+    steps[i] = GetSteps(i)[i & TooManyOnes];
+  }
+  return steps;
+}
+inline constexpr std::array<Step, NumberOfSituations> Steps = GetAllSteps(); // by situation + ones
 
-// By situation and number of ones.
-inline constexpr StepRow Steps[8] = { GetSteps(false, false, false), GetSteps(true, false, false),
-  GetSteps(false, true, false), GetSteps(true, true, false), GetSteps(false, false, true), GetSteps(true, false, true),
-  GetSteps(false, true, true), GetSteps(true, true, true) };
+// How many gates are joined before the front turns. Longer sweeps take fewer bits, and leave the GPU's vertex cache.
+inline constexpr std::uint32_t SweepLength = 8;
 
 // A vertex that is named is mostly a few gates away along the front.
-inline constexpr std::uint32_t MostWalk = 16;
+inline constexpr std::uint32_t MostWalk = 128;
 inline constexpr unsigned MostNameBits = 31;
+constexpr bool IsBehind(std::uint64_t walk)
+{
+  return walk > 0 && walk % 2 == 0;
+}
 
 // What is kept from patch to patch only grows.
 template <class T>
@@ -75,234 +106,314 @@ T* EnsureSize(std::vector<T>& values, std::size_t size)
 }
 
 //------------------------------------------------------------------------------
-// The front: gates in doubly linked loops. They are asked in the order in which they were made: those of the present
-// cell, which are the last ones, then what earlier cells have left, which is a stack of ranges. Gates behind which
-// there is nothing stay in their loop as the border that they are.
+// The gates that wait on one side of the present one, the nearest last.
+struct Side
+{
+  Gate* Last;
+  Gate* First; // before the farthest one: the end of the side
+  Gate* Memory;
+
+  void Clear()
+  {
+    this->First = this->Last = this->Memory;
+    *this->First = { None, None, None, Gate::End };
+  }
+  bool IsEmpty() const { return this->Last == this->First; }
+  bool IsOpen() const { return this->Last->State == Gate::Open; }
+  bool IsOpenTo(std::uint32_t vertex) const { return this->IsOpen() && this->Last->Vertex == vertex; }
+  bool IsClosed() const { return this->Last->State == Gate::Closed; }
+  std::size_t GetCount() const { return static_cast<std::size_t>(this->Last - this->First); }
+
+  // Field by field, here and where they are read: what was written in parts and is read as a whole has to wait.
+  vtkMTInlined void Push(std::uint32_t vertex, std::uint32_t across, std::uint32_t owner, Gate::StateType state)
+  {
+    Gate* const gate = ++this->Last;
+    gate->Vertex = vertex;
+    gate->Across = across;
+    gate->Owner = owner;
+    gate->State = state;
+  }
+  // The nearest gate becomes one that is so many bytes farther on in memory.
+  void Move(std::size_t bytes) { this->Last = reinterpret_cast<Gate*>(reinterpret_cast<char*>(this->Last) + bytes); }
+};
+
+//------------------------------------------------------------------------------
+// The front, a ring of gates around what is known, with a cursor: the present gate, whose *hinge* is the end about
+// which triangles are laid, and whose *rear* is the other one. The others wait ahead, beyond the hinge, and behind,
+// beyond the rear, and the ring is closed where both sides end. Gates next to each other that became border are one
+// closed gate.
 class Front
 {
 public:
-  enum StateType : std::uint32_t
+  Front(std::size_t triangles, Workspace& workspace)
   {
-    Open,
-    Border,
-    Gone
-  };
-
-  // A triangle makes three gates at most.
-  Front(std::size_t triangles, std::size_t vertices, Workspace& workspace)
-    : Gates(EnsureSize(workspace.Gates, 3 * triangles))
-    , GateFrom(EnsureSize(workspace.GateFrom, vertices))
-    , Waiting(&workspace.Waiting)
-  {
-    std::fill_n(this->GateFrom, vertices, None);
-    this->Waiting->clear();
+    // A triangle makes the ring longer by one gate at most, a start by three.
+    const std::size_t size = triangles + MostGone + 8;
+    Gate* const gates = EnsureSize(workspace.Gates, 2 * size);
+    this->AheadSide.Memory = gates;
+    this->BehindSide.Memory = gates + size;
+    this->AheadSide.Clear();
+    this->BehindSide.Clear();
   }
 
-  // The open gate whose turn it is; None when there is none.
-  std::uint32_t Pop()
+  bool HasGate() const { return this->Hinge != None; }
+  std::uint32_t GetHinge() const { return this->Hinge; }
+  std::uint32_t GetRear() const { return this->Rear; }
+  std::uint32_t GetAcross() const { return this->Across; }
+  std::uint32_t GetOwner() const { return this->Owner; }
+  // 1: the gate runs from its rear to its hinge; 0: the other way round.
+  std::uint32_t IsForward() const { return this->Forward; }
+  // Without a branch, as the gate may run either way.
+  std::uint32_t GetFrom() const { return this->Hinge ^ ((this->Hinge ^ this->Rear) & (0u - this->Forward)); }
+  std::uint32_t GetTo() const { return this->Rear ^ ((this->Hinge ^ this->Rear) & (0u - this->Forward)); }
+
+  bool IsAheadOpen() const { return this->AheadSide.IsOpen(); }
+  bool IsBehindOpen() const { return this->BehindSide.IsOpen(); }
+  std::uint32_t GetSituation() const
   {
-    const std::uint32_t gate = this->PopOfCell();
-    return gate == None ? this->BeginCell() : gate;
+    return this->Past + (this->AheadSide.Last->State & AheadIsClosed) + (this->BehindSide.Last->State & BehindIsClosed);
   }
-  // The same as long as the cell lasts; None behind its end.
-  std::uint32_t PopOfCell()
+
+  // The far end of the gate ahead; None when there is no gate.
+  std::uint32_t GetAhead() const { return this->AheadSide.Last->Vertex; }
+  // The far end of a gate: 1, 3, 5 ... of the first, the second, the third one ahead, 2, 4, 6 ... of those behind. None
+  // when there is no such gate.
+  std::uint32_t Walk(std::uint32_t walk) const
   {
-    while (this->TakenInCell < CellSize && this->Head < this->Count)
+    const bool isAhead = walk % 2 != 0;
+    const Gate* const last = isAhead ? this->AheadSide.Last : this->BehindSide.Last;
+    const Gate* const first = isAhead ? this->AheadSide.First : this->BehindSide.First;
+    const std::ptrdiff_t count = (std::ptrdiff_t(walk) + 1) / 2;
+    return count > last - first ? None : last[1 - count].Vertex;
+  }
+
+  vtkMTInlined void Start(const vtkMTTriangle& t, std::uint32_t triangle)
+  {
+    this->AheadSide.Clear();
+    this->BehindSide.Clear();
+    this->Forward = 1;
+    this->Joined = 0;
+    this->Set(t[0], t[1], t[2], triangle, AfterAhead);
+    this->AheadSide.Push(t[0], t[1], triangle, Gate::Open);
+    this->AheadSide.Push(t[2], t[0], triangle, Gate::Open);
+    this->Settle();
+  }
+
+  // The gate gives way to two that go by the third vertex; the one at the hinge is the next.
+  vtkMTInlined void Split(std::uint32_t vertex, std::uint32_t triangle, SituationType past)
+  {
+    this->BehindSide.Push(this->Rear, this->Hinge, triangle, Gate::Open);
+    this->Set(vertex, this->Hinge, this->Rear, triangle, past);
+    this->Settle();
+  }
+  // The third vertex is on the front behind: what is between it and the rear is gone around first.
+  vtkMTInlined void SplitBehind(std::uint32_t vertex, std::uint32_t triangle)
+  {
+    this->AheadSide.Push(this->Hinge, this->Rear, triangle, Gate::Open);
+    this->Set(this->Rear, vertex, this->Hinge, triangle, AfterOther);
+    this->Turn();
+    this->Settle();
+  }
+  // The gate and the one ahead or behind give way to one.
+  vtkMTInlined void JoinAhead(std::uint32_t triangle)
+  {
+    this->Set(this->Rear, this->AheadSide.Last->Vertex, this->Hinge, triangle, AfterAhead);
+    --this->AheadSide.Last;
+    ++this->Joined;
+    this->Settle();
+  }
+  vtkMTInlined void JoinBehind(std::uint32_t triangle)
+  {
+    this->Set(this->BehindSide.Last->Vertex, this->Hinge, this->Rear, triangle, AfterOther);
+    --this->BehindSide.Last;
+    this->Settle();
+  }
+
+  // Split (after which the vertex is the rear) where all bits of the mask are set, join ahead (after which the vertex
+  // is the hinge) where none is: nobody can guess which, so both take the same steps. It is to be settled after that.
+  vtkMTInlined void Grow(std::uint32_t mask, std::uint32_t vertex, std::uint32_t triangle)
+  {
+    Gate* const behind = this->BehindSide.Last + 1; // just memory when this is a join
+    behind->Vertex = this->Rear;
+    behind->Across = this->Hinge;
+    behind->Owner = triangle;
+    behind->State = Gate::Open;
+    const std::size_t pushed = mask & sizeof(Gate);
+    this->BehindSide.Move(pushed);
+    --this->AheadSide.Last;
+    this->AheadSide.Move(pushed);
+    this->Across = Pick(mask, this->Rear, this->Hinge);
+    this->Rear = Pick(mask, vertex, this->Rear);
+    this->Hinge = Pick(mask, this->Hinge, vertex);
+    this->Owner = triangle;
+    this->Joined += mask + 1;
+    this->Past = mask & AfterNew;
+  }
+  // The first number where all bits of the mask are set, the second one where none is.
+  static std::uint32_t Pick(std::uint32_t mask, std::uint32_t a, std::uint32_t b) { return b ^ ((a ^ b) & mask); }
+
+  // Whether Settle has something to do after Grow.
+  bool IsUnsettled() const
+  {
+    const Gate& ahead = *this->AheadSide.Last;
+    return ahead.Vertex == this->Rear || this->BehindSide.Last->Vertex == this->Hinge || ahead.State == Gate::End ||
+      this->Joined >= SweepLength;
+  }
+  vtkMTInlined void Settle()
+  {
+    this->Refill();
+    std::uint32_t here = None;
+    if (this->Meet(here))
     {
-      const std::uint32_t gate = this->Head++;
-      if (this->IsOpen(gate))
-      {
-        ++this->TakenInCell;
-        return gate;
-      }
+      this->Take(here);
     }
-    return None;
-  }
-
-  // What is left of the last cell waits with those before it, the oldest gate first, and the new one begins with the
-  // first of these.
-  std::uint32_t BeginCell()
-  {
-    if (this->Head < this->Count)
+    else if (this->Joined >= SweepLength)
     {
-      this->Waiting->push_back({ this->Head, this->Count });
-    }
-    this->Head = this->Count;
-    this->TakenInCell = 1;
-    for (; !this->Waiting->empty(); this->Waiting->pop_back())
-    {
-      GateRange& range = this->Waiting->back();
-      while (range.Begin < range.End)
-      {
-        const std::uint32_t gate = range.Begin++;
-        if (this->IsOpen(gate))
-        {
-          return gate;
-        }
-      }
-    }
-    this->TakenInCell = 0;
-    return None;
-  }
-
-  const Gate& Get(std::uint32_t gate) const { return this->Gates[gate]; }
-  bool IsOpen(std::uint32_t gate) const { return this->Gates[gate].State == Open; }
-  std::uint32_t GetRight(std::uint32_t gate) const { return this->Gates[this->Gates[gate].Next].To; }
-  std::uint32_t GetLeft(std::uint32_t gate) const { return this->Gates[this->Gates[gate].Previous].From; }
-
-  bool IsAlone(std::uint32_t gate) const { return this->Gates[gate].Next == gate; }
-  bool HasTwoNeighbours(std::uint32_t gate) const
-  {
-    return !this->IsAlone(gate) && this->Gates[gate].Next != this->Gates[gate].Previous;
-  }
-
-  // The vertex that is so many gates away: 1 the end of the gate behind the next one, 2 the start of that before the
-  // previous one, 3 and 4 those one farther, and so on.
-  std::uint32_t Walk(std::uint32_t gate, std::uint32_t walk) const
-  {
-    const bool isRight = walk % 2 != 0;
-    for (std::uint32_t i = 0; i < (walk + 3) / 2; ++i)
-    {
-      gate = this->GetNeighbour(gate, isRight);
-    }
-    return isRight ? this->Gates[gate].To : this->Gates[gate].From;
-  }
-
-  void Start(const vtkMTTriangle& t, std::uint32_t triangle)
-  {
-    const std::uint32_t first = this->Count;
-    for (std::uint32_t c = 0; c < 3; ++c)
-    {
-      const std::uint32_t gate = this->Add(t[c], t[(c + 1) % 3], t[(c + 2) % 3], triangle, BothAreOpen);
-      this->Gates[gate].Previous = first + (c + 2) % 3;
-      this->Gates[gate].Next = first + (c + 1) % 3;
-    }
-  }
-
-  void MakeBorder(std::uint32_t gate)
-  {
-    this->Gates[gate].State = Border;
-    this->Gates[this->Gates[gate].Next].Beside &= ~PreviousIsOpen;
-    this->Gates[this->Gates[gate].Previous].Beside &= ~NextIsOpen;
-  }
-
-  // The gate gives way to two that go by the third vertex.
-  void Split(std::uint32_t gate, std::uint32_t vertex, std::uint32_t triangle)
-  {
-    const std::uint32_t from = this->Gates[gate].From;
-    const std::uint32_t to = this->Gates[gate].To;
-    const std::uint32_t previous = this->Gates[gate].Previous;
-    const std::uint32_t next = this->Gates[gate].Next;
-    const std::uint32_t beside = this->Gates[gate].Beside;
-    const std::uint32_t left =
-      this->Add(from, vertex, to, triangle, LeansLeft | NextIsOpen | (beside & PreviousIsOpen));
-    const std::uint32_t right = this->Add(vertex, to, from, triangle, PreviousIsOpen | (beside & NextIsOpen));
-    this->Link(previous == gate ? right : previous, left);
-    this->Link(left, right);
-    this->Link(right, next == gate ? left : next);
-    this->Gates[gate].State = Gone;
-  }
-
-  // The gate and the next or the previous one give way to one. Nobody can guess which of the two it is, so they are
-  // told apart without a branch.
-  std::uint32_t GetNeighbour(std::uint32_t gate, bool isRight) const
-  {
-    return isRight ? this->Gates[gate].Next : this->Gates[gate].Previous;
-  }
-  void Join(std::uint32_t gate, std::uint32_t neighbour, bool isRight, std::uint32_t triangle)
-  {
-    const std::uint32_t first = isRight ? gate : neighbour;
-    const std::uint32_t second = isRight ? neighbour : gate;
-    const std::uint32_t across = isRight ? this->Gates[gate].To : this->Gates[gate].From;
-    const std::uint32_t before = this->Gates[first].Previous;
-    const std::uint32_t after = this->Gates[second].Next;
-    // The neighbour is the one that would be asked next more often than not; it is passed over.
-    this->Head += neighbour == this->Head ? 1 : 0;
-    const std::uint32_t beside = (this->Gates[first].Beside & PreviousIsOpen) |
-      (this->Gates[second].Beside & NextIsOpen) | LeansLeft * static_cast<std::uint32_t>(isRight);
-    const std::uint32_t joined = this->Add(this->Gates[first].From, this->Gates[second].To, across, triangle, beside);
-    this->Link(before == second ? joined : before, joined);
-    this->Link(joined, after == first ? joined : after);
-    this->Gates[first].State = this->Gates[second].State = Gone;
-  }
-
-  // The third vertex is on the front already: the loop is cut in two there, or two loops become one.
-  void SplitAt(std::uint32_t gate, std::uint32_t third, std::uint32_t triangle)
-  {
-    const std::uint32_t there = this->GateFrom[third];
-    this->Split(gate, third, triangle);
-    if (there != None && this->Gates[there].State != Gone)
-    {
-      const std::uint32_t right = this->Count - 1;
-      this->Link(this->Gates[there].Previous, right);
-      this->Link(right - 1, there);
-      this->LookBeside(this->Gates[right].Previous);
-      this->LookBeside(right);
-      this->LookBeside(right - 1);
-      this->LookBeside(there);
+      this->Turn();
+      this->Past = AfterOther;
     }
   }
 
-  // Three gates around the triangle are done with.
-  void JoinBoth(std::uint32_t gate)
+  // There is nothing behind the gate: it is closed, and one with those beside it that are closed too.
+  vtkMTInlined void MakeBorder()
   {
-    const Gate g = this->Gates[gate];
-    const std::uint32_t before = this->Gates[g.Previous].Previous;
-    const std::uint32_t after = this->Gates[g.Next].Next;
-    this->Gates[gate].State = this->Gates[g.Previous].State = this->Gates[g.Next].State = Gone;
-    this->Link(before, after);
-    this->LookBeside(before);
-    this->LookBeside(after);
+    const bool isAhead = this->AheadSide.IsClosed();
+    const bool isBehind = this->BehindSide.IsClosed();
+    this->AheadSide.Push(this->Hinge, None, None, Gate::Closed);
+    this->AheadSide.Last -= static_cast<std::ptrdiff_t>(isAhead | isBehind);
+    this->Take(Pick(0u - static_cast<std::uint32_t>(!isAhead & isBehind), this->Hinge, this->Rear));
   }
 
-  // The starts of the gates that follow each other from this one, as far as they have not been asked for yet.
-  void TakeLoop(std::uint32_t gate, std::vector<std::uint32_t>& vertices)
+  // Calls see(from, to) for the gates that are not closed: the present one, those ahead, those behind, nearest first.
+  template <class See>
+  void SeeOpen(const See& see) const
   {
-    for (; this->Gates[gate].State != Gone; gate = this->Gates[gate].Next)
+    if (this->HasGate())
     {
-      this->Gates[gate].State = Gone;
-      vertices.push_back(this->Gates[gate].From);
+      see(this->GetFrom(), this->GetTo());
+      SeeOpen(this->AheadSide, this->Hinge, this->Forward != 0, see);
+      SeeOpen(this->BehindSide, this->Rear, this->Forward == 0, see);
     }
   }
 
 private:
-  // Field by field: a gate that was copied as a whole could not be read again before the copy is through.
-  std::uint32_t Add(
-    std::uint32_t from, std::uint32_t to, std::uint32_t across, std::uint32_t triangle, std::uint32_t beside)
+  // So many gates are gone from the far end of a side before the others are moved there.
+  static constexpr std::ptrdiff_t MostGone = 64;
+
+  vtkMTInlined void Set(
+    std::uint32_t rear, std::uint32_t hinge, std::uint32_t across, std::uint32_t owner, std::uint32_t past)
   {
-    const std::uint32_t gate = this->Count++;
-    this->Gates[gate].From = from;
-    this->Gates[gate].To = to;
-    this->Gates[gate].Across = across;
-    this->Gates[gate].Owner = triangle;
-    this->Gates[gate].State = Open;
-    this->Gates[gate].Beside = beside;
-    this->GateFrom[from] = gate;
-    return gate;
+    this->Rear = rear;
+    this->Hinge = hinge;
+    this->Across = across;
+    this->Owner = owner;
+    this->Past = past;
   }
 
-  void Link(std::uint32_t a, std::uint32_t b)
+  vtkMTInlined void Turn()
   {
-    this->Gates[a].Next = b;
-    this->Gates[b].Previous = a;
+    std::swap(this->AheadSide, this->BehindSide);
+    std::swap(this->Hinge, this->Rear);
+    this->Forward ^= 1;
+    this->Joined = 0;
   }
 
-  // After it got other neighbours, of which it is not known that they are open.
-  void LookBeside(std::uint32_t gate)
+  // Behind the end of a side comes the farthest gate of the other one.
+  vtkMTInlined void Refill()
   {
-    Gate& g = this->Gates[gate];
-    g.Beside = (g.Beside & LeansLeft) | NextIsOpen * static_cast<std::uint32_t>(this->IsOpen(g.Next)) |
-      PreviousIsOpen * static_cast<std::uint32_t>(this->IsOpen(g.Previous));
+    this->Refill(this->AheadSide, this->BehindSide);
+    this->Refill(this->BehindSide, this->AheadSide);
+  }
+  vtkMTInlined void Refill(Side& side, Side& other)
+  {
+    if (!side.IsEmpty() || other.GetCount() < 2)
+    {
+      return;
+    }
+    const Gate* const gate = other.First + 1;
+    side.Clear();
+    side.Push(other.First[2].Vertex, gate->Across, gate->Owner, static_cast<Gate::StateType>(gate->State));
+    *++other.First = { None, None, None, Gate::End };
+    if (other.First - other.Memory > MostGone)
+    {
+      const std::size_t count = other.GetCount();
+      std::memmove(other.Memory, other.First, (count + 1) * sizeof(Gate));
+      other.First = other.Memory;
+      other.Last = other.First + count;
+    }
   }
 
-  Gate* Gates;
-  std::uint32_t* GateFrom;         // the latest that leaves a vertex
-  std::vector<GateRange>* Waiting; // of earlier cells
-  std::uint32_t Count = 0;
-  std::uint32_t Head = 0; // of the present cell's gates the first that was not asked
-  std::uint32_t TakenInCell = 0;
+  // Two gates that go to and fro between the same vertices are behind each other: both are done with. here: the vertex
+  // at which what is left meets.
+  vtkMTInlined bool Meet(std::uint32_t& here)
+  {
+    if (this->AheadSide.IsOpenTo(this->Rear))
+    {
+      --this->AheadSide.Last;
+      here = this->Rear;
+      return true;
+    }
+    if (this->BehindSide.IsOpenTo(this->Hinge))
+    {
+      --this->BehindSide.Last;
+      here = this->Hinge;
+      return true;
+    }
+    return false;
+  }
+
+  // Goes on with the open gate that is next, rather ahead, from the vertex at which both sides meet.
+  vtkMTInlined void Take(std::uint32_t here)
+  {
+    do
+    {
+      this->Refill();
+      while (!this->AheadSide.IsOpen() && !this->BehindSide.IsOpen())
+      {
+        if (this->AheadSide.IsEmpty() || this->BehindSide.IsEmpty())
+        {
+          this->Hinge = None;
+          return;
+        }
+        here = this->BehindSide.Last->Vertex; // what is closed on both sides becomes one
+        --this->BehindSide.Last;
+        this->Refill();
+      }
+      if (!this->AheadSide.IsOpen())
+      {
+        this->Turn();
+      }
+      const Gate* const gate = this->AheadSide.Last--;
+      this->Set(here, gate->Vertex, gate->Across, gate->Owner, AfterEnd);
+      this->Refill();
+    } while (this->Meet(here));
+  }
+
+  template <class See>
+  static void SeeOpen(const Side& side, std::uint32_t near, bool isForward, const See& see)
+  {
+    for (const Gate* gate = side.Last; gate != side.First; near = gate->Vertex, --gate)
+    {
+      if (gate->State == Gate::Open)
+      {
+        see(isForward ? near : gate->Vertex, isForward ? gate->Vertex : near);
+      }
+    }
+  }
+
+  Side AheadSide;
+  Side BehindSide;
+  std::uint32_t Hinge = None;
+  std::uint32_t Rear = None;
+  std::uint32_t Across = None;
+  std::uint32_t Owner = None;
+  std::uint32_t Past = AfterAhead;
+  std::uint32_t Joined = 0; // since the last turn
+  std::uint32_t Forward = 1;
 };
 }
 }
+
+#undef vtkMTInlined
 
 #endif

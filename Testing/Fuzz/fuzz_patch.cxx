@@ -31,22 +31,25 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   array.Role = data[12] % 2 ? vtkMTArrayInfo::MadeNormals : vtkMTArrayInfo::Plain;
   vtkMTFileFormat::SectionRecord section{};
   section.Codec = data[0] % 3;
-  // The geometry, then the array, both copied so that reads past their ends are seen.
+  // The geometry, then the array, both copied so that reads past what may be read are seen.
   std::uint16_t geometrySize = 0;
   std::memcpy(&geometrySize, data + 13, sizeof(geometrySize));
   const unsigned char* const end = data + size;
   const unsigned char* const middle = data + HeadSize + std::min<std::size_t>(geometrySize, size - HeadSize);
-  const std::vector<unsigned char> geometry(data + HeadSize, middle);
-  const std::vector<unsigned char> values(middle, end);
+  std::vector<unsigned char> geometry(data + HeadSize, middle);
+  section.StoredSize = static_cast<std::uint32_t>(geometry.size());
+  geometry.resize(geometry.size() + vtkMTPatchCodec::Slack, 0xff);
+  std::vector<unsigned char> values(middle, end);
+  const auto valuesSize = static_cast<std::uint32_t>(values.size());
+  values.resize(values.size() + vtkMTPatchCodec::Slack, 0xff);
   std::string error;
   vtkMTPatch patch;
   vtkMTTraversal traversal;
-  section.StoredSize = static_cast<std::uint32_t>(geometry.size());
   vtkMTPatchCodec::DecodeGeometry(section, geometry.data(), arc, traversal, patch, error);
   vtkMTColumn column;
   if (array.GetTupleSize() > 0)
   {
-    section.StoredSize = static_cast<std::uint32_t>(values.size());
+    section.StoredSize = valuesSize;
     vtkMTPatchCodec::DecodeColumn(section, values.data(), arc, array, traversal, column, error);
   }
   return 0;

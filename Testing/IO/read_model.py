@@ -15,15 +15,20 @@ import struct
 import sys
 
 MASK = 0xFFFFFFFF
-OPEN, BORDER, GONE = range(3)
-NEW, RIGHT, LEFT, NOTHING, NAMED, BOTH = range(6)  # steps
+AHEAD, NEW, SECOND, BEHIND, NAMED, NOTHING, TAKEN, OTHER = range(8)  # steps, and what else the last one may have been
 NAME, WALK = range(2)  # numbers among the names
-# What so many ones mean, by whether the next and the previous gate are open and, where both are, the gate leans left.
-STEPS = {(True, True, True): (NEW, LEFT, RIGHT, NAMED, NOTHING, BOTH),
-         (True, True, False): (NEW, RIGHT, LEFT, NAMED, NOTHING, BOTH),
-         (True, False): (NEW, NOTHING, RIGHT, NAMED),
-         (False, True): (NEW, NOTHING, LEFT, NAMED),
-         (False, False): (NEW, NOTHING, NAMED)}
+
+
+def steps_of(ahead_open, behind_open, last):
+    """What so many ones mean."""
+    if not ahead_open:
+        return (NOTHING, NEW, NAMED, BEHIND, SECOND) if behind_open else (NOTHING, NEW, NAMED, SECOND)
+    if not behind_open:
+        return (NOTHING, NEW, AHEAD, NAMED, SECOND)
+    return {AHEAD: (NEW, AHEAD, NOTHING, NAMED, BEHIND, SECOND),
+            NEW: (NEW, AHEAD, SECOND, NOTHING, NAMED, BEHIND),
+            TAKEN: (NEW, BEHIND, AHEAD, NAMED, NOTHING, SECOND),
+            OTHER: (AHEAD, NEW, BEHIND, NAMED, SECOND, NOTHING)}[last]
 
 
 def library(name, fallback):
@@ -116,7 +121,7 @@ class Header:
          self.input_triangles, self.step, ox, oy, oz, self.shift, self.blobs) = struct.unpack(
              "<IIQQQQQQQIIIIQdqqqdI", data[8:140])
         self.origin = (ox, oy, oz)
-        require(self.version == 4 and size == 256 and self.file_size == len(data), "another version, or cut off")
+        require(self.version == 5 and size == 256 and self.file_size == len(data), "another version, or cut off")
         dag, head = struct.unpack("<QQ", data[240:256])
         check(data[:248], head, "the header")
         check(data[256:self.patches_at], dag, "the DAG block")
@@ -162,6 +167,162 @@ class Model:
         at, size, codec, checksum = self.sections[index]
         check(self.data[at:at + align(size)], checksum, f"section {index}")
         return codec, self.data[at:at + size]
+
+
+class NameReader:
+    def __init__(self, data):
+        self.parameters, self.bits, self.size = data[:2], int.from_bytes(data[2:], "little"), len(data[2:])
+        self.at = 0
+
+    def get(self, kind):
+        parameter = self.parameters[kind]
+        ones = 0
+        while self.bits >> self.at & 1:
+            ones += 1
+            self.at += 1
+        value = ones << parameter | self.bits >> self.at + 1 & ((1 << parameter) - 1)
+        self.at += 1 + parameter
+        return value
+
+    def is_at_end(self):
+        return self.size == (self.at + 7) // 8
+
+
+class Waiting:
+    def __init__(self, far, across=None, owner=None, is_open=True):
+        self.far, self.across, self.owner, self.is_open = far, across, owner, is_open
+
+
+class Front:
+    """The present gate [rear, hinge, across, owner] or None, and the waiting ones ahead and behind, nearest first."""
+
+    def __init__(self):
+        self.present = None
+
+    def start(self, t, owner):
+        self.forward, self.last, self.joined = True, AHEAD, 0
+        self.present = [t[0], t[1], t[2], owner]
+        self.sides = [[Waiting(t[2], t[0], owner), Waiting(t[0], t[1], owner)], []]
+        self.settle()
+
+    def is_open(self, side):
+        return bool(self.sides[side]) and self.sides[side][0].is_open
+
+    def ends(self):
+        rear, hinge = self.present[:2]
+        return (rear, hinge) if self.forward else (hinge, rear)
+
+    def walk(self, walk):
+        side, count = self.sides[walk % 2 == 0], (walk + 1) // 2
+        require(count <= len(side), "a walk to no gate")
+        return side[count - 1].far
+
+    def turn(self):
+        self.forward = not self.forward
+        self.sides.reverse()
+        self.present[0], self.present[1] = self.present[1], self.present[0]
+        self.joined = 0
+
+    def split(self, vertex, owner, last):
+        rear, hinge = self.present[:2]
+        self.sides[1].insert(0, Waiting(rear, hinge, owner))
+        self.present, self.last = [vertex, hinge, rear, owner], last
+        self.settle()
+
+    def split_behind(self, vertex, owner):
+        rear, hinge = self.present[:2]
+        self.sides[0].insert(0, Waiting(hinge, rear, owner))
+        self.present, self.last = [rear, vertex, hinge, owner], OTHER
+        self.turn()
+        self.settle()
+
+    def join_ahead(self, owner):
+        rear, hinge = self.present[:2]
+        self.present, self.last = [rear, self.sides[0].pop(0).far, hinge, owner], AHEAD
+        self.joined += 1
+        self.settle()
+
+    def join_behind(self, owner):
+        rear, hinge = self.present[:2]
+        self.present, self.last = [self.sides[1].pop(0).far, hinge, rear, owner], OTHER
+        self.settle()
+
+    def close(self):
+        rear, hinge = self.present[:2]
+        meeting = rear
+        is_closed = [bool(side) and not side[0].is_open for side in self.sides]
+        if not any(is_closed):
+            self.sides[0].insert(0, Waiting(hinge, is_open=False))
+        elif not is_closed[0]:
+            meeting = hinge
+        self.take(meeting)
+
+    def take(self, meeting):
+        while meeting is not None:
+            self.refill()
+            while not self.is_open(0) and not self.is_open(1):
+                if not self.sides[0] or not self.sides[1]:
+                    self.present = None
+                    return
+                meeting = self.sides[1].pop(0).far
+                self.refill()
+            if not self.is_open(0):
+                self.turn()
+            gate = self.sides[0].pop(0)
+            self.present, self.last = [meeting, gate.far, gate.across, gate.owner], TAKEN
+            self.refill()
+            meeting = self.meet()
+
+    def refill(self):
+        for side, other in (self.sides, self.sides[::-1]):
+            if not side and len(other) >= 2:
+                gate = other.pop()
+                gate.far = other[-1].far
+                side.append(gate)
+
+    def meet(self):
+        rear, hinge = self.present[:2]
+        if self.is_open(0) and self.sides[0][0].far == rear:
+            self.sides[0].pop(0)
+            return rear
+        if self.is_open(1) and self.sides[1][0].far == hinge:
+            self.sides[1].pop(0)
+            return hinge
+        return None
+
+    def settle(self):
+        self.refill()
+        meeting = self.meet()
+        if meeting is not None:
+            self.take(meeting)
+        elif self.joined >= 8:
+            self.turn()
+            self.last = OTHER
+
+    def open_gates(self):
+        if self.present is None:
+            return []
+        gates = [self.ends()]
+        for side, near, forward in ((self.sides[0], self.present[1], self.forward),
+                                    (self.sides[1], self.present[0], not self.forward)):
+            for gate in side:
+                if gate.is_open:
+                    gates.append((near, gate.far) if forward else (gate.far, near))
+                near = gate.far
+        return gates
+
+
+def follow_border(gates):
+    """The vertices from which the gates start, in border order; some may be there more than once."""
+    last_from = {start: i for i, (start, _) in enumerate(gates)}
+    passed = set()
+    border = []
+    for gate in range(len(gates)):
+        while gate is not None and gate not in passed:
+            passed.add(gate)
+            border.append(gates[gate][0])
+            gate = last_from.get(gates[gate][1])
+    return border
 
 
 class Patch:
@@ -216,158 +377,71 @@ class Patch:
         self.wedge_bases = [wedge_bases.get(w, []) for w in range(self.wedges_count)]
 
     def read_triangles(self, steps, bits_left, names):
-        name_parameters, name_bits = names[:2], int.from_bytes(names[2:], "little")
         triangles = []
-        bases = {}  # of the vertices that were met: [], [a] or [a, b, c]
-        gates = []  # [from, to, across, previous, next, state]
-        owners = []  # the triangle of each gate
+        bases = {}  # of the vertices that were met: [], [a] or [rear, hinge, across]
         self.behind = []  # for each triangle, the one across the gate behind which it was found, or None
-        leans_left = set()  # of gates
-        queue = []  # of the present cell
-        stack = []  # of cells before
-        taken = 0
+        reader = NameReader(names)
+        front = Front()
         border_gates = []
-        gate_from = {}
-        names_at = 0
-
-        def read_name(kind):
-            nonlocal names_at
-            name_parameter = name_parameters[kind]
-            ones = 0
-            while name_bits >> names_at & 1:
-                ones += 1
-                names_at += 1
-            value = ones << name_parameter | name_bits >> names_at + 1 & ((1 << name_parameter) - 1)
-            names_at += 1 + name_parameter
-            return value
-
-        def take():
-            nonlocal queue, taken
-            while queue and taken < 96:
-                gate = queue.pop(0)
-                if gates[gate][5] == OPEN:
-                    taken += 1
-                    return gate
-            stack.extend(g for g in reversed(queue) if gates[g][5] == OPEN)
-            queue = []
-            while stack:
-                gate = stack.pop()
-                if gates[gate][5] == OPEN:
-                    taken = 1
-                    return gate
-            taken = 0
-            return None
 
         def name(basis):
-            back = read_name(NAME)
+            back = reader.get(NAME)
+            require(back <= len(bases), "a name of no vertex")
             if back:
                 return len(bases) - back
             bases[len(bases)] = basis
             return len(bases) - 1
 
-        def link(a, b):
-            gates[a][4] = b
-            gates[b][3] = a
-
-        def add(start, end, across):
-            gates.append([start, end, across, len(gates), len(gates), OPEN])
-            owners.append(len(triangles))
-            gate_from[start] = len(gates) - 1
-            return len(gates) - 1
-
-        def split(gate, vertex):
-            start, end, _, previous, following, _ = gates[gate]
-            there = gate_from.get(vertex, gate)
-            left, right = add(start, vertex, end), add(vertex, end, start)
-            leans_left.add(left)
-            link(right if previous == gate else previous, left)
-            link(left, right)
-            link(right, left if following == gate else following)
-            gates[gate][5] = GONE
-            if there != gate and gates[there][5] != GONE:
-                link(gates[there][3], right)
-                link(left, there)
-            queue.extend([left, right])
-
-        def follow(gate, walk):
-            for _ in range((walk + 3) // 2):
-                gate = gates[gate][4 if walk % 2 else 3]
-            return gates[gate][1 if walk % 2 else 0]
-
-        def join(first, second, across):
-            before, after = gates[first][3], gates[second][4]
-            joined = add(gates[first][0], gates[second][1], across)
-            link(joined if before == second else before, joined)
-            link(joined, joined if after == first else after)
-            gates[first][5] = gates[second][5] = GONE
-            queue.append(joined)
-
         while len(triangles) < self.triangles_count:
-            gate = take()
-            if gate is None:
+            if front.present is None:
                 t = []
                 for _ in range(3):
                     t.append(name(t[-1:]))
-                first = len(gates)
-                for c in range(3):
-                    gates.append([t[c], t[(c + 1) % 3], t[(c + 2) % 3], first + (c + 2) % 3, first + (c + 1) % 3, OPEN])
-                    owners.append(len(triangles))
-                    gate_from[t[c]] = first + c
-                queue.extend([first, first + 1, first + 2])
+                front.start(t, len(triangles))
                 triangles.append(tuple(t))
                 self.behind.append(None)
                 continue
-            start, end, across, previous, following, _ = gates[gate]
-            step = 0
-            while step < 5 and steps & 1:
+            ones = 0
+            while steps & 1:
                 steps >>= 1
-                step += 1
-                bits_left -= 1
-            if step < 5:
-                steps >>= 1
-                bits_left -= 1
+                ones += 1
+            steps >>= 1
+            bits_left -= ones + 1
             require(bits_left >= 0, "the steps are too short")
-            beside = (gates[following][5] == OPEN, gates[previous][5] == OPEN)
-            row = STEPS[beside + (gate in leans_left,) if all(beside) else beside]
-            require(step < len(row), "an impossible step")
-            step = row[step]
+            row = steps_of(front.is_open(0), front.is_open(1), front.last)
+            require(ones < len(row), "an impossible step")
+            step = row[ones]
+            rear, hinge, across, owner = front.present
+            start, end = front.ends()
             if step == NOTHING:
-                gates[gate][5] = BORDER
-                border_gates.append(gate)
+                border_gates.append((start, end))
+                front.close()
                 continue
+            this = len(triangles)
+            walk = 3 if step == SECOND else 0
             if step == NEW:
                 third = len(bases)
-                bases[third] = [start, end, across]
-                split(gate, third)
-            elif step == NAMED:
-                walk = read_name(WALK)
-                require(walk <= 16, "a walk that is too long")
-                third = follow(gate, walk) if walk else len(bases) - read_name(NAME)
-                split(gate, third)
-            elif step == LEFT:
-                third = gates[previous][0]
-                join(previous, gate, start)
+                bases[third] = [rear, hinge, across]
+            elif step in (AHEAD, BEHIND):
+                third = front.sides[step == BEHIND][0].far
             else:
-                third = gates[following][1]
-                if step == RIGHT:
-                    join(gate, following, end)
-                    leans_left.add(len(gates) - 1)
-                else:
-                    before, after = gates[previous][3], gates[following][4]
-                    gates[gate][5] = gates[previous][5] = gates[following][5] = GONE
-                    link(before, after)
+                if step == NAMED:
+                    walk = reader.get(WALK)
+                    require(walk <= 128, "a walk that is too long")
+                third = front.walk(walk) if walk else len(bases) - reader.get(NAME)
             triangles.append((end, start, third))
-            self.behind.append(owners[gate])
-        require(bits_left < 8 and steps == 0 and len(names[2:]) == (names_at + 7) // 8, "the steps are too long")
-        border = []
-        while (gate := take()) is not None:
-            border_gates.append(gate)
-        for gate in border_gates:
-            while gates[gate][5] != GONE:
-                gates[gate][5] = GONE
-                border.append(gates[gate][0])
-                gate = gates[gate][4]
-        return triangles, bases, border
+            self.behind.append(owner)
+            if step == AHEAD:
+                front.join_ahead(this)
+            elif step == BEHIND:
+                front.join_behind(this)
+            elif step == NAMED and walk and walk % 2 == 0:
+                front.split_behind(third, this)
+            else:
+                front.split(third, this, NEW if step == NEW else OTHER)
+        require(bits_left < 8 and steps == 0 and reader.is_at_end(), "the steps are too long")
+        border_gates += front.open_gates()
+        return triangles, bases, follow_border(border_gates)
 
     def read_wedges(self, side):
         points = []
