@@ -376,9 +376,9 @@ std::uint64_t vtkMTFileSource::GetPatchSize(std::uint32_t arc) const
   return size;
 }
 
-// What vtkMTPackedGeometry and vtkMTColumnCodec hold while they work: gates (three per triangle at most) with their
-// queue and stack, bases, orders and identities of wedges; then one column's bytes. LoadingFromFile compares it with
-// what is allocated.
+// What vtkMTPackedGeometry and vtkMTColumnCodec hold while they work: gates on both sides of the
+// front and of the border, bases, orders and identities of wedges; then one column's bytes. LoadingFromFile compares it
+// with what is allocated.
 std::uint64_t vtkMTFileSource::GetDecodeSize(std::uint32_t arc) const
 {
   constexpr std::uint64_t bytesPerTriangle = 128;

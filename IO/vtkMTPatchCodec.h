@@ -34,8 +34,8 @@ constexpr std::size_t Slack = 8;
 bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
   vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
 
-/// An array's column from its section's bytes, after the geometry of the same patch; Slack bytes behind them can be read,
-/// too.
+/// An array's column from its section's bytes, after the geometry of the same patch; Slack bytes behind them can be
+/// read, too.
 bool DecodeColumn(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
   const vtkMTArrayInfo& array, const vtkMTTraversal& traversal, vtkMTColumn& column, std::string& error);
 }

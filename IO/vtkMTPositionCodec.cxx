@@ -250,9 +250,8 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
       Wide code;
       std::memcpy(&code, codes[i - begin], sizeof(code));
       const Wide expected = Expect(out, GetBasis(bases, i), near);
-      out[i + 1] = source.Shift == 0
-        ? expected + FromZigzags(code)
-        : roundings[GetBit(source.Coarse, i) ? 1 : 0].Apply(expected, FromZigzags(code));
+      out[i + 1] = source.Shift == 0 ? expected + FromZigzags(code)
+                                     : roundings[GetBit(source.Coarse, i) ? 1 : 0].Apply(expected, FromZigzags(code));
     }
   }
   return readers[0].IsAtEnd() && readers[1].IsAtEnd() && readers[2].IsAtEnd();
