@@ -6,7 +6,6 @@
 #include "vtkMTGraph.h"
 #include "vtkMTIdCodec.h"
 #include "vtkMTNumberCode.h"
-#include "vtkMTPatchCodec.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTPositionCodec.h"
 #include "vtkMTTraversal.h"
@@ -42,7 +41,6 @@ using vtkMTNumberCode::Append;
 using vtkMTTriangleCodec::Basis;
 
 constexpr std::size_t Slack = vtkMTRiceCode::Reader::Slack;
-static_assert(Slack <= vtkMTPatchCodec::Slack);
 
 //------------------------------------------------------------------------------
 // The wedges' points: 0 is the next point that was not met yet, k the k-th last one met.

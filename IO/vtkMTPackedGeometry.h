@@ -27,7 +27,7 @@ namespace vtkMTPackedGeometry
 bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes,
   vtkMTTraversal& traversal);
 
-/// vtkMTPatchCodec::Slack bytes behind the data can be read.
+/// vtkMTRiceCode::Reader::Slack bytes behind the data can be read.
 bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
   vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
 }

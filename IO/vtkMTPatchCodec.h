@@ -6,6 +6,7 @@
 #include "vtkMTFileFormat.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatch.h"
+#include "vtkMTRiceCode.h"
 
 #include <cstddef>
 #include <string>
@@ -27,7 +28,7 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
 bool Check(const vtkMTFileFormat::SectionRecord& section, const unsigned char* padded, std::string& error);
 
 /// So many bytes behind a section can be read while it is decoded. What they are does not matter.
-constexpr std::size_t Slack = 8;
+constexpr std::size_t Slack = vtkMTRiceCode::Reader::Slack;
 
 /// The geometry of an arc's patch from its section's bytes, and how its triangles were met. Nothing is allocated before
 /// the sizes have been found right.
