@@ -567,7 +567,8 @@ def unpack_directions(data, bases):
     stream = Stream(data[8 + len(blocks):])
     k = [[p & 15 for p in parameters], [p >> 4 for p in parameters]]
     lows = [stream.take(low_size(blocks, k[axis])) for axis in range(2)]
-    unary = [stream.take(unary_size), stream.take(len(stream.data) - stream.at - unary_size)]
+    unary = [stream.take(unary_size), b""]
+    unary[1] = stream.take(len(stream.data) - stream.at)
     places = []
     for axis in range(2):
         codes = rice_codes(blocks, k[axis], lows[axis], unary[axis])
