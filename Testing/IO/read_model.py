@@ -593,11 +593,13 @@ def direction(u, v):
         return (0.0, 0.0, 0.0)
     x = single((u - 2047.0) / 2047.0)
     y = single((v - 2047.0) / 2047.0)
-    z = 1.0 - abs(x) - abs(y)
+    rest_x, rest_y = single(1.0 - abs(x)), single(1.0 - abs(y))
+    z = single(rest_x - abs(y))
     if z < 0.0:
-        x, y = math.copysign(1.0 - abs(y), x), math.copysign(1.0 - abs(x), y)
-    length = math.sqrt(x * x + y * y + z * z)
-    return (x / length, y / length, z / length)
+        x, y = math.copysign(rest_y, x), math.copysign(rest_x, y)
+    squares = single(single(single(x * x) + single(y * y)) + single(z * z))
+    length = single(math.sqrt(squares))
+    return (single(x / length), single(y / length), single(z / length))
 
 
 def read_column(array, arc, patch, codec, data):
