@@ -3,10 +3,10 @@
 #include "bmtModel.h"
 
 #include "vtkMTCut.h"
-#include "vtkMTExtraction.h"
 #include "vtkMTGraph.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTTargetCut.h"
 #include "vtkMultiTriangulation.h"
 
 #include "vtkNew.h"
@@ -36,7 +36,7 @@ struct Options
 
 vtkMTCut ChooseCut(const vtkMTGraph& graph, const Options& options)
 {
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   vtkMTCut cut(graph);
   std::string message;
   bool found = false;
@@ -50,7 +50,7 @@ vtkMTCut ChooseCut(const vtkMTGraph& graph, const Options& options)
   }
   else
   {
-    found = vtkMTExtraction::ByLevel(graph, options.Level, cut, message);
+    found = vtkMTTargetCut::ByLevel(graph, options.Level, cut, message);
   }
   if (!found)
   {

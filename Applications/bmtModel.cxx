@@ -116,7 +116,7 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   const vtkMTGraph::Conditioning conditioning = graph.GetConditioning();
   bmtJson json;
   json["triangles"] = graph.InputTriangles;
-  json["stored_triangles"] = graph.GetFinestTriangles();
+  json["stored_triangles"] = graph.GetNumberOfFinestTriangles();
   json["nodes"] = graph.Nodes.size();
   json["patches"] = graph.Arcs.size();
   json["levels"] = graph.GetNumberOfLevels();
@@ -132,7 +132,7 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["conditioning"]["diameter_ratio"] = conditioning.DiameterRatio;
   json["conditioning"]["fully_shared_borders"] = conditioning.FullySharedBorders;
   json["conditioning"]["largest_region_over_target"] = GetLargestRegion(graph);
-  json["root_triangles"] = graph.GetRootTriangles();
+  json["root_triangles"] = graph.GetNumberOfRootTriangles();
   json["blocked"] = DescribeMap(graph.Blocked);
   json["input_report"] = DescribeMap(graph.InputReport);
   for (const vtkMTBlobInfo& blob : graph.Blobs)

@@ -99,7 +99,7 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
-  this->Mapper->SetTriangleBudget(options.Budget);
+  this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
   this->Renderer->SetBackground(0.32, 0.34, 0.43);

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Finds VTK and builds the toolkit's VTK modules, in the order of the floor plan. A folder is a module when it has a
+# Finds VTK and builds the toolkit's VTK modules, layer by layer. A folder is a module when it has a
 # vtk.module and a CMakeLists.txt, and when the modules that it names are there.
 set(mt_module_files)
 set(mt_present)
-foreach (folder IN ITEMS Module Filters/Partition Filters/Simplification Filters/Construction IO Rendering/Cut
-    Rendering/OpenGL2)
+foreach (folder IN ITEMS
+    Module
+    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification IO/Core Rendering/Core
+    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2)
   if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
     continue ()
   endif ()

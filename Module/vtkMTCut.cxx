@@ -14,7 +14,7 @@ vtkMTCut::vtkMTCut(const vtkMTGraph& graph)
   {
     const std::uint32_t source = graph.GetSource();
     this->Refined[source] = 1;
-    this->Triangles = graph.GetRootTriangles();
+    this->Triangles = graph.GetNumberOfRootTriangles();
     this->ArcCount = graph.Nodes[source].OutCount;
   }
 }

@@ -157,7 +157,7 @@ std::uint32_t vtkMTGraph::GetNumberOfLevels() const
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t vtkMTGraph::GetRootTriangles() const
+std::uint64_t vtkMTGraph::GetNumberOfRootTriangles() const
 {
   std::uint64_t triangles = 0;
   for (std::uint32_t i = 0; !this->Nodes.empty() && i < this->Nodes.front().OutCount; ++i)
@@ -168,7 +168,7 @@ std::uint64_t vtkMTGraph::GetRootTriangles() const
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t vtkMTGraph::GetFinestTriangles() const
+std::uint64_t vtkMTGraph::GetNumberOfFinestTriangles() const
 {
   std::uint64_t triangles = 0;
   for (std::uint32_t i = 0; !this->Nodes.empty() && i < this->Nodes.back().InCount; ++i)

@@ -93,8 +93,8 @@ public:
   std::uint32_t GetNumberOfLevels() const;
   std::uint32_t GetLevelOfArc(std::uint32_t arc) const { return this->Nodes[this->Arcs[arc].To].Level; }
   /// Triangles on the arcs that leave the source, and on those that enter the sink.
-  std::uint64_t GetRootTriangles() const;
-  std::uint64_t GetFinestTriangles() const;
+  std::uint64_t GetNumberOfRootTriangles() const;
+  std::uint64_t GetNumberOfFinestTriangles() const;
   void GetBounds(double bounds[6]) const;
 
   /// Sorts Arcs, then fills Entering and the nodes' First/Count fields from the arcs' From and To. Gives the

@@ -223,8 +223,8 @@ void CheckRecords(const vtkMTGraph& graph, Result& result)
       " has an empty box");
     Expect(result, "graph", whole.Holds(arc.Box), "the sphere of the sink does not hold the patch of arc ", i);
   }
-  Expect(result, "graph", graph.InputTriangles >= graph.GetFinestTriangles(), "the finest level has ",
-    graph.GetFinestTriangles(), " triangles, the input ", graph.InputTriangles);
+  Expect(result, "graph", graph.InputTriangles >= graph.GetNumberOfFinestTriangles(), "the finest level has ",
+    graph.GetNumberOfFinestTriangles(), " triangles, the input ", graph.InputTriangles);
 }
 
 //------------------------------------------------------------------------------

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTView.h"
 
-#include "vtkMath.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,6 +42,39 @@ std::array<double, 6> GetDistancesOutside(const vtkMTView& view, const std::arra
   outside[5] = depth - view.Far;
   return outside;
 }
+
+//------------------------------------------------------------------------------
+// Of a symmetric matrix, by Jacobi's rotations in cyclic order; each sweep squares what is left off the diagonal.
+double GetLargestEigenvalue(double (&a)[3][3])
+{
+  constexpr int Sweeps = 12;
+  for (int sweep = 0; sweep < Sweeps; ++sweep)
+  {
+    for (int p = 0; p < 2; ++p)
+    {
+      for (int q = p + 1; q < 3; ++q)
+      {
+        if (a[p][q] == 0.0)
+        {
+          continue;
+        }
+        const double theta = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
+        const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
+        const double c = 1.0 / std::hypot(t, 1.0);
+        const double s = t * c;
+        const int r = 3 - p - q;
+        const double rp = a[r][p];
+        const double rq = a[r][q];
+        a[p][p] -= t * a[p][q];
+        a[q][q] += t * a[p][q];
+        a[p][q] = a[q][p] = 0.0;
+        a[r][p] = a[p][r] = c * rp - s * rq;
+        a[r][q] = a[q][r] = s * rp + c * rq;
+      }
+    }
+  }
+  return std::max({ a[0][0], a[1][1], a[2][2] });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -71,12 +102,7 @@ void vtkMTView::UpdateStretch()
       }
     }
   }
-  double values[3];
-  double vectors[3][3];
-  double* rows[3] = { gram[0], gram[1], gram[2] };
-  double* vectorRows[3] = { vectors[0], vectors[1], vectors[2] };
-  vtkMath::Jacobi(rows, values, vectorRows);
-  this->Stretch = largest * std::sqrt(std::max(values[0], 0.0)) * (1.0 + 1e-12);
+  this->Stretch = largest * std::sqrt(std::max(GetLargestEigenvalue(gram), 0.0)) * (1.0 + 1e-12);
 }
 
 //------------------------------------------------------------------------------

@@ -130,7 +130,7 @@ vtkIdType vtkMultiTriangulation::GetNumberOfLevels()
 vtkIdType vtkMultiTriangulation::GetNumberOfFinestTriangles()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetFinestTriangles()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfFinestTriangles()) : 0;
 }
 
 //------------------------------------------------------------------------------

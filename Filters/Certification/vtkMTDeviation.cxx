@@ -251,7 +251,7 @@ private:
     findings.Reach.resize(this->Fragment.GetNumberOfTriangles());
     for (std::size_t s = 0; s < findings.Reach.size(); ++s)
     {
-      vtkMTReach& reach = findings.Reach[s];
+      vtkMTTriangleDeviation& reach = findings.Reach[s];
       reach = { RoundUp(this->Up.GetBoundOfTriangle()[s]), RoundUp(this->Down.GetBoundOnTriangle()[s]) };
       this->Result.UpperBound = std::max({ this->Result.UpperBound, double(reach.ToInput), double(reach.FromInput) });
     }

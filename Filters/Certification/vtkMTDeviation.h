@@ -8,10 +8,10 @@
  * far above the largest true distance seen so far (a lower bound of the result, from points), a triangle is bounded
  * by itself, by pieces (vtkMTPieceBound).
  *
- * Over levels these bounds add up, triangle by triangle (vtkMTReach): a piece of the fragment over the floor's triangle
- * s is no farther from the input than its bound and what is known of s; the input's points that are near a piece of the
- * floor are no farther from s, a triangle of the fragment, than what is known of that piece's triangle and its bound.
- * So the largest deviations of different levels are added only where they meet.
+ * Over levels these bounds add up, triangle by triangle (vtkMTTriangleDeviation): a piece of the fragment over the
+ * floor's triangle s is no farther from the input than its bound and what is known of s; the input's points that are
+ * near a piece of the floor are no farther from s, a triangle of the fragment, than what is known of that piece's
+ * triangle and its bound. So the largest deviations of different levels are added only where they meet.
  *
  * Distances are in steps of the lattice. Rounding: coordinates are integers below 2^32, so a computed distance is off
  * by less than 2^-44 of the extent; 2^-40 of the extent is added to every bound that is not zero exactly. Sums are
@@ -20,7 +20,7 @@
 #ifndef vtkMTDeviation_h
 #define vtkMTDeviation_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTCertificationModule.h" // For export macro
 #include "vtkMTPatch.h"
 
 #include <cstdint>
@@ -29,13 +29,13 @@
 class vtkMTSurface;
 
 /// What is known of one triangle of a level's mesh, in steps: how far it is from the input, and the input from it.
-struct vtkMTReach
+struct vtkMTTriangleDeviation
 {
   float ToInput = 0.0f;   ///< no point of the triangle is farther than this from the input
   float FromInput = 0.0f; ///< no point of that part of the input which this triangle stands for is farther from it
 };
 
-struct VTKMTCONSTRUCTION_EXPORT vtkMTDeviation
+struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
 {
   double UpperBound = 0.0; ///< the largest reach of the fragment's triangles; the floor's own counted, steps
   double LowerBound = 0.0; ///< about what bounds without any looseness would have given, never above UpperBound, steps
@@ -56,13 +56,13 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTDeviation
     /// [floor's points] the fragment's point that each was merged into, or None (~0): where to look for it first. Empty
     /// when nothing is known.
     std::vector<std::uint32_t> Heirs;
-    std::vector<vtkMTReach> FloorReach; ///< [floor's triangles] empty when the floor is the input
+    std::vector<vtkMTTriangleDeviation> FloorReach; ///< [floor's triangles] empty when the floor is the input
   };
   /// What is known of the fragment afterwards.
   struct Findings
   {
-    std::vector<vtkMTReach> Reach;            ///< [fragment's triangles]
-    std::vector<std::uint32_t> FloorTriangle; ///< [fragment's triangles] one of the floor that lies over or near it
+    std::vector<vtkMTTriangleDeviation> Reach; ///< [fragment's triangles]
+    std::vector<std::uint32_t> FloorTriangle;  ///< [fragment's triangles] one of the floor that lies over or near it
   };
 
   /// Of two meshes with the same origin. Both must have triangles.

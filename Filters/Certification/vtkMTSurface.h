@@ -13,7 +13,7 @@
 #ifndef vtkMTSurface_h
 #define vtkMTSurface_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTCertificationModule.h" // For export macro
 #include "vtkMTHalfedgePairs.h"
 #include "vtkMTPatch.h"
 
@@ -22,7 +22,7 @@
 #include <limits>
 #include <vector>
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTSurface
+class VTKMTCERTIFICATION_EXPORT vtkMTSurface
 {
 public:
   using Vector = std::array<double, 3>;

@@ -13,7 +13,7 @@
 #ifndef vtkMTTriangleTree_h
 #define vtkMTTriangleTree_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTCertificationModule.h" // For export macro
 #include "vtkMTSurface.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTTriangleTree
+class VTKMTCERTIFICATION_EXPORT vtkMTTriangleTree
 {
 public:
   using Vector = vtkMTSurface::Vector;

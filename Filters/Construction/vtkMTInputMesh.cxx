@@ -4,14 +4,14 @@
 #include "vtkMTBuildState.h"
 #include "vtkMTExactPoints.h"
 #include "vtkMTFarOutliers.h"
-#include "vtkMTInputFragments.h"
+#include "vtkMTInputFragmentStep.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTInputSpool.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTPartitionStrategy.h"
 #include "vtkMTPatchSplitter.h"
+#include "vtkMTPointWelding.h"
 #include "vtkMTStageTimes.h"
-#include "vtkMTStitch.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMTTrimHeap.h"
 
@@ -121,14 +121,14 @@ public:
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
     state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
-    vtkMTStitch stitch(*this->Settings.Store, this->Settings.SortMemory / 4);
+    vtkMTPointWelding stitch(*this->Settings.Store, this->Settings.SortMemory / 4);
     this->Regions = std::make_unique<vtkMTInputRegions>(
       this->Settings, input, this->Settings.ExactPoints ? &this->Exact : nullptr, this->Settings.SortMemory / 4 * 3);
     if (!this->SortIntoRegions(input, stitch))
     {
       return false;
     }
-    vtkMTInputFragments fragments(this->Settings, state, this->NumberOfRegions, this->MakesNormals);
+    vtkMTInputFragmentStep fragments(this->Settings, state, this->NumberOfRegions, this->MakesNormals);
     bool done = fragments.Make(*this->Regions, input);
     this->Report(stream, input, stitch);
     this->Regions.reset();
@@ -208,7 +208,7 @@ private:
     }
   }
 
-  void Report(const vtkMTTriangleStream& stream, const vtkMTInputSpool& input, const vtkMTStitch& stitch)
+  void Report(const vtkMTTriangleStream& stream, const vtkMTInputSpool& input, const vtkMTPointWelding& stitch)
   {
     std::map<std::string, std::int64_t>& report = this->State->Graph.InputReport;
     for (const auto& [reason, count] : stream.GetReport())
@@ -216,14 +216,14 @@ private:
       Count(report, reason.c_str(), static_cast<std::uint64_t>(count));
     }
     Count(report, "stitched_edges", static_cast<std::uint64_t>(stitch.GetStitchedEdges()));
-    Count(report, "stitched_points", static_cast<std::uint64_t>(stitch.GetStitchedPoints()));
+    Count(report, "stitched_points", static_cast<std::uint64_t>(stitch.GetNumberOfWeldedPoints()));
     Count(report, "seam_wedges", this->Regions->GetSeamWedges());
     Count(report, "isolated_points", input.GetNumberOfPoints() - this->Regions->GetUsedPoints());
   }
 
   //----------------------------------------------------------------------------
   // Psi_0
-  bool SortIntoRegions(vtkMTInputSpool& input, vtkMTStitch& stitch)
+  bool SortIntoRegions(vtkMTInputSpool& input, vtkMTPointWelding& stitch)
   {
     vtkMTBarycentreSpool scan;
     if (!scan.Begin(*this->Settings.Store, "input-barycentres", this->Error) ||
@@ -250,7 +250,7 @@ private:
   {
     vtkMTInputBlock Block;
     std::vector<Barycentre> Barycentres;
-    vtkMTStitch::BlockEdges Edges;
+    vtkMTPointWelding::BlockEdges Edges;
     double LargestShift2 = 0.0;
     vtkMTInputRegions::BlockRecords Records;
   };
@@ -329,7 +329,7 @@ private:
   }
 
   // In the same pass: stitching, and the largest shift to the lattice.
-  bool PutBarycentres(const vtkMTInputSpool& input, vtkMTStitch& stitch, vtkMTBarycentreSpool& scan)
+  bool PutBarycentres(const vtkMTInputSpool& input, vtkMTPointWelding& stitch, vtkMTBarycentreSpool& scan)
   {
     const int partColumn = FindPartColumn(this->State->Graph.Arrays);
     vtkMTLattice& lattice = this->State->Graph.Lattice;
@@ -340,7 +340,7 @@ private:
       {
         work.LargestShift2 = GetLargestShift2(lattice, work.Block);
         const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-        work.Edges = vtkMTStitch::FindEdges(work.Block);
+        work.Edges = vtkMTPointWelding::FindEdges(work.Block);
       },
       [&](std::size_t index, BlockWork& work)
       {

@@ -7,9 +7,9 @@
  * ("dropped_index_out_of_range"), a coordinate that is not finite ("dropped_not_finite") or two corners at one place
  * ("dropped_degenerate"), and the few that lie so far away that they would coarsen the lattice for all others
  * ("dropped_far_outlier", vtkMTFarOutliers). Every other triangle is kept, whatever its shape or its neighbours. Points
- * that no kept triangle uses are left out ("isolated_points"). Points that are stitched (vtkMTStitch) become one point
- * with one wedge per different set of attribute values. Triangles whose cell array "PartId" (one int) differs are of
- * different parts, which are never stitched to each other. Parts with mixed windings are oriented as most of their
+ * that no kept triangle uses are left out ("isolated_points"). Points that are stitched (vtkMTPointWelding) become one
+ * point with one wedge per different set of attribute values. Triangles whose cell array "PartId" (one int) differs are
+ * of different parts, which are never stitched to each other. Parts with mixed windings are oriented as most of their
  * triangles are
  * ("reoriented_triangles", vtkMTOrientation); parts that cannot be stay as they are ("not_orientable_triangles").
  *

@@ -4,9 +4,9 @@
 #include "vtkMTExactPoints.h"
 #include "vtkMTInputSpool.h"
 #include "vtkMTOrderedWork.h"
+#include "vtkMTPointWelding.h"
 #include "vtkMTRadixSort.h"
 #include "vtkMTStageTimes.h"
-#include "vtkMTStitch.h"
 #include "vtkMTTrimHeap.h"
 
 #include <algorithm>
@@ -124,7 +124,7 @@ struct vtkMTInputRegions::PointBatch
   std::vector<unsigned char> Stitched;
 };
 
-bool vtkMTInputRegions::FindPoints(vtkMTStitch& stitch, const vtkMTLattice& lattice)
+bool vtkMTInputRegions::FindPoints(vtkMTPointWelding& stitch, const vtkMTLattice& lattice)
 {
   if (!this->Requests.Finish())
   {
@@ -165,7 +165,7 @@ std::size_t vtkMTInputRegions::GetBatch() const
   return std::max(LeastBatch, BatchSize / this->PointSize);
 }
 
-bool vtkMTInputRegions::FetchPoints(vtkMTStitch& stitch, PointBatch& batch, std::string& error)
+bool vtkMTInputRegions::FetchPoints(vtkMTPointWelding& stitch, PointBatch& batch, std::string& error)
 {
   batch = PointBatch();
   const unsigned char*& record = this->NextRequest;
@@ -215,7 +215,7 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
       vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputSpool::GetExactPlace(bytes),
         values.data() + this->Input.GetValueSize());
     }
-    const bool isStitched = batch.Roots[i] != vtkMTStitch::None;
+    const bool isStitched = batch.Roots[i] != vtkMTPointWelding::None;
     std::vector<unsigned char>& records = isStitched ? batch.Stitched : batch.Single;
     for (; begin < batch.End[i]; ++begin)
     {

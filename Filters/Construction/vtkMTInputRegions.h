@@ -22,7 +22,7 @@
 #include <vector>
 
 class vtkMTInputSpool;
-class vtkMTStitch;
+class vtkMTPointWelding;
 
 class VTKMTCONSTRUCTION_EXPORT vtkMTInputRegions
 {
@@ -73,7 +73,7 @@ public:
   ///@{
   /// All blocks in order, then FindPoints, then regions in increasing order. False with a message in GetError.
   bool Add(BlockRecords&& records);
-  bool FindPoints(vtkMTStitch& stitch, const vtkMTLattice& lattice);
+  bool FindPoints(vtkMTPointWelding& stitch, const vtkMTLattice& lattice);
   bool Take(std::uint32_t region, Region& result);
   ///@}
 
@@ -87,7 +87,7 @@ private:
 
   bool Fail(const std::string& error);
   std::size_t GetBatch() const;
-  bool FetchPoints(vtkMTStitch& stitch, PointBatch& batch, std::string& error);
+  bool FetchPoints(vtkMTPointWelding& stitch, PointBatch& batch, std::string& error);
   bool MakePoints(const vtkMTLattice& lattice, PointBatch& batch, std::string& error) const;
   bool PutPoints(const PointBatch& batch);
   bool SolveStitched();

@@ -81,8 +81,8 @@ public:
   static constexpr std::uint32_t ReverseOthers = LeaveAll + 2; ///< those that agree with it
   ///@}
 
-  std::uint64_t GetReversedTriangles() const { return this->ReversedTriangles; }
-  std::uint64_t GetNonOrientableTriangles() const { return this->NonOrientableTriangles; }
+  std::uint64_t GetNumberOfReversedTriangles() const { return this->ReversedTriangles; }
+  std::uint64_t GetNumberOfNonOrientableTriangles() const { return this->NonOrientableTriangles; }
   std::size_t GetMemorySize() const { return this->Parts.capacity() * sizeof(Part); }
   const std::string& GetError() const { return this->Error; }
 

@@ -132,16 +132,16 @@ vtkMTPatch MakeFragment(
   return fragment;
 }
 
-vtkMTColumn ToColumn(const std::vector<vtkMTReach>& reach)
+vtkMTColumn ToColumn(const std::vector<vtkMTTriangleDeviation>& reach)
 {
-  vtkMTColumn column(reach.size() * sizeof(vtkMTReach));
+  vtkMTColumn column(reach.size() * sizeof(vtkMTTriangleDeviation));
   std::memcpy(column.data(), reach.data(), column.size());
   return column;
 }
 
-std::vector<vtkMTReach> FromColumn(const vtkMTColumn& column)
+std::vector<vtkMTTriangleDeviation> FromColumn(const vtkMTColumn& column)
 {
-  std::vector<vtkMTReach> reach(column.size() / sizeof(vtkMTReach));
+  std::vector<vtkMTTriangleDeviation> reach(column.size() / sizeof(vtkMTTriangleDeviation));
   std::memcpy(reach.data(), column.data(), column.size());
   return reach;
 }
@@ -158,7 +158,7 @@ vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
 }
 }
 
-void vtkMTRegionStep::RoundPoints(std::vector<vtkMTReach>& reach)
+void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& reach)
 {
   const double way =
     vtkMTCoarsePoints::Round(this->Fragment, vtkMTCoarsePoints::ChooseShift(this->Error, this->EdgeLength));
@@ -174,7 +174,7 @@ void vtkMTRegionStep::RoundPoints(std::vector<vtkMTReach>& reach)
 
 vtkMTArrayInfo vtkMTRegionStep::GetReachInfo()
 {
-  static_assert(sizeof(vtkMTReach) == 2 * sizeof(float), "two numbers without padding");
+  static_assert(sizeof(vtkMTTriangleDeviation) == 2 * sizeof(float), "two numbers without padding");
   vtkMTArrayInfo info;
   info.Name = "reach";
   info.Association = vtkMTArrayInfo::Cell;
@@ -185,7 +185,7 @@ vtkMTArrayInfo vtkMTRegionStep::GetReachInfo()
 
 void vtkMTRegionStep::AppendReachOfInput(vtkMTPatch& mesh)
 {
-  mesh.CellColumns.push_back(ToColumn(std::vector<vtkMTReach>(mesh.Triangles.size())));
+  mesh.CellColumns.push_back(ToColumn(std::vector<vtkMTTriangleDeviation>(mesh.Triangles.size())));
 }
 
 bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& context, std::string& error)

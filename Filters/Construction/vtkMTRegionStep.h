@@ -7,8 +7,8 @@
  * two-sided distance between floor and fragment and by it that between input and fragment, and carries the attributes
  * over. Independent of all other regions.
  *
- * What is known of the triangles of a level's mesh (vtkMTReach) travels with them as one more cell column behind those
- * of the input's arrays, so that splitting, spooling and assembling need not know of it.
+ * What is known of the triangles of a level's mesh (vtkMTTriangleDeviation) travels with them as one more cell column
+ * behind those of the input's arrays, so that splitting, spooling and assembling need not know of it.
  */
 #ifndef vtkMTRegionStep_h
 #define vtkMTRegionStep_h
@@ -22,7 +22,7 @@
 #include <vector>
 
 class vtkMTSimplifier;
-struct vtkMTReach;
+struct vtkMTTriangleDeviation;
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 {
@@ -53,7 +53,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
   bool Run(std::vector<vtkMTPatch>& floorPatches, const Context& context, std::string& error);
 
 private:
-  void RoundPoints(std::vector<vtkMTReach>& reach);
+  void RoundPoints(std::vector<vtkMTTriangleDeviation>& reach);
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include "vtkMTInputMesh.h"
 #include "vtkMTLevelLoop.h"
 #include "vtkMTMemoryPlan.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTMemorySpoolStore.h"
 #include "vtkMTPatchSink.h"
 #include "vtkMTPatchStore.h"

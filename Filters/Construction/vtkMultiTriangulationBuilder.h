@@ -25,8 +25,6 @@
 #define vtkMultiTriangulationBuilder_h
 
 #include "vtkMTConstructionModule.h" // For export macro
-#include "vtkMTMemoryPlan.h"
-#include "vtkMTStageTimes.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
 
@@ -34,10 +32,12 @@
 #include <string>
 
 class vtkMTBuildState;
+class vtkMTMemoryPlan;
 class vtkMTPartitionStrategy;
 class vtkMTPatchSink;
 class vtkMTSimplifier;
 class vtkMTSpoolStore;
+class vtkMTStageTimes;
 class vtkMTTriangleStream;
 struct vtkMTBuildSettings;
 

@@ -14,14 +14,14 @@
 #ifndef vtkMTOrderedWork_h
 #define vtkMTOrderedWork_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTFiltersCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 
-struct VTKMTCONSTRUCTION_EXPORT vtkMTOrderedWork
+struct VTKMTFILTERSCORE_EXPORT vtkMTOrderedWork
 {
   /// Called by any thread; slot is this index's own until it is taken over. False with a message in error.
   using Work = std::function<bool(std::size_t index, std::size_t slot, std::string& error)>;

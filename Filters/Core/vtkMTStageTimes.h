@@ -12,13 +12,13 @@
 #ifndef vtkMTStageTimes_h
 #define vtkMTStageTimes_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTFiltersCoreModule.h" // For export macro
 
 #include <array>
 #include <atomic>
 #include <cstdint>
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTStageTimes
+class VTKMTFILTERSCORE_EXPORT vtkMTStageTimes
 {
 public:
   enum StageType
@@ -47,7 +47,7 @@ public:
   double GetLevelSeconds() const { return this->LevelSeconds; }
   ///@}
 
-  class VTKMTCONSTRUCTION_EXPORT Scope
+  class VTKMTFILTERSCORE_EXPORT Scope
   {
   public:
     /// For the calling thread. times: null charges nothing, nor what is around. forAllThreads: CPU time of the process,

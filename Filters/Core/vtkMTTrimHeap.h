@@ -10,11 +10,11 @@
 #ifndef vtkMTTrimHeap_h
 #define vtkMTTrimHeap_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTFiltersCoreModule.h" // For export macro
 
 #include <cstdint>
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTTrimHeap
+class VTKMTFILTERSCORE_EXPORT vtkMTTrimHeap
 {
 public:
   static constexpr std::uint64_t Always = 1;

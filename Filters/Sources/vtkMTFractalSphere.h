@@ -19,12 +19,12 @@
 #ifndef vtkMTFractalSphere_h
 #define vtkMTFractalSphere_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTSourcesModule.h" // For export macro
 #include "vtkMTTriangleStream.h"
 
 #include <memory>
 
-class VTKMTIO_EXPORT vtkMTFractalSphere : public vtkMTTriangleStream
+class VTKMTSOURCES_EXPORT vtkMTFractalSphere : public vtkMTTriangleStream
 {
 public:
   static constexpr int MaximumSubdivisions = 14;

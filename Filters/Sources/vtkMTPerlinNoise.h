@@ -13,12 +13,12 @@
 #ifndef vtkMTPerlinNoise_h
 #define vtkMTPerlinNoise_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTSourcesModule.h" // For export macro
 
 #include <array>
 #include <cstdint>
 
-class VTKMTIO_EXPORT vtkMTPerlinNoise
+class VTKMTSOURCES_EXPORT vtkMTPerlinNoise
 {
 public:
   explicit vtkMTPerlinNoise(std::uint64_t seed = 0);

@@ -10,10 +10,10 @@
 #ifndef vtkMTPlane_h
 #define vtkMTPlane_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTSourcesModule.h" // For export macro
 #include "vtkMTTriangleStream.h"
 
-class VTKMTIO_EXPORT vtkMTPlane : public vtkMTTriangleStream
+class VTKMTSOURCES_EXPORT vtkMTPlane : public vtkMTTriangleStream
 {
 public:
   static constexpr std::uint64_t MaximumSquares = 60000;

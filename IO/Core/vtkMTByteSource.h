@@ -11,13 +11,13 @@
 #ifndef vtkMTByteSource_h
 #define vtkMTByteSource_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
-class VTKMTIO_EXPORT vtkMTByteSource
+class VTKMTIOCORE_EXPORT vtkMTByteSource
 {
 public:
   virtual ~vtkMTByteSource();

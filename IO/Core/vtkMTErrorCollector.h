@@ -3,6 +3,7 @@
 #ifndef vtkMTErrorCollector_h
 #define vtkMTErrorCollector_h
 
+#include "vtkMTIOCoreModule.h" // For export macro
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -15,7 +16,7 @@ class vtkCallbackCommand;
 class vtkCommand;
 class vtkObject;
 
-class vtkMTErrorCollector
+class VTKMTIOCORE_EXPORT vtkMTErrorCollector
 {
 public:
   vtkMTErrorCollector();

@@ -10,11 +10,11 @@
 #define vtkMTFileByteSource_h
 
 #include "vtkMTByteSource.h"
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOCoreModule.h" // For export macro
 
 #include <memory>
 
-class VTKMTIO_EXPORT vtkMTFileByteSource : public vtkMTByteSource
+class VTKMTIOCORE_EXPORT vtkMTFileByteSource : public vtkMTByteSource
 {
 public:
   /// Empty, with the reason in error, when the file is missing, not readable or not a regular file.

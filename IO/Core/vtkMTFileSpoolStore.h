@@ -15,10 +15,10 @@
 #ifndef vtkMTFileSpoolStore_h
 #define vtkMTFileSpoolStore_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOCoreModule.h" // For export macro
 #include "vtkMTSpoolStore.h"
 
-class VTKMTIO_EXPORT vtkMTFileSpoolStore : public vtkMTSpoolStore
+class VTKMTIOCORE_EXPORT vtkMTFileSpoolStore : public vtkMTSpoolStore
 {
 public:
   vtkMTFileSpoolStore();

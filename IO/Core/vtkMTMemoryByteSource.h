@@ -7,11 +7,11 @@
 #define vtkMTMemoryByteSource_h
 
 #include "vtkMTByteSource.h"
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOCoreModule.h" // For export macro
 
 #include <vector>
 
-class VTKMTIO_EXPORT vtkMTMemoryByteSource : public vtkMTByteSource
+class VTKMTIOCORE_EXPORT vtkMTMemoryByteSource : public vtkMTByteSource
 {
 public:
   explicit vtkMTMemoryByteSource(std::vector<unsigned char> bytes);

@@ -12,13 +12,13 @@
 #ifndef vtkMTOutputFile_h
 #define vtkMTOutputFile_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
-class VTKMTIO_EXPORT vtkMTOutputFile
+class VTKMTIOCORE_EXPORT vtkMTOutputFile
 {
 public:
   vtkMTOutputFile();

@@ -9,10 +9,10 @@
 #ifndef vtkMTScratchStore_h
 #define vtkMTScratchStore_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOCoreModule.h" // For export macro
 #include "vtkMTSpoolStore.h"
 
-class VTKMTIO_EXPORT vtkMTScratchStore : public vtkMTSpoolStore
+class VTKMTIOCORE_EXPORT vtkMTScratchStore : public vtkMTSpoolStore
 {
 public:
   /// folder: must exist when the first spool is made; empty: the current one.

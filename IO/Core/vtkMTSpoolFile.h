@@ -3,6 +3,7 @@
 #ifndef vtkMTSpoolFile_h
 #define vtkMTSpoolFile_h
 
+#include "vtkMTIOCoreModule.h" // For export macro
 #include "vtkMTSpool.h"
 
 #include <atomic>
@@ -11,7 +12,7 @@
 #include <string>
 
 /// Bytes that the files of a store hold.
-struct vtkMTSpoolAccount
+struct VTKMTIOCORE_EXPORT vtkMTSpoolAccount
 {
   std::atomic<std::uint64_t> Size{ 0 };
   std::uint64_t Largest = 0;
@@ -20,7 +21,7 @@ struct vtkMTSpoolAccount
 };
 
 /// An open file that grows at its end; pread and pwrite, so that no position is shared.
-class vtkMTSpoolFile
+class VTKMTIOCORE_EXPORT vtkMTSpoolFile
 {
 public:
   /// Takes the descriptor over.
@@ -52,7 +53,7 @@ private:
 };
 
 /// The spool of a file; several may be of one.
-class vtkMTFileSpool : public vtkMTSpool
+class VTKMTIOCORE_EXPORT vtkMTFileSpool : public vtkMTSpool
 {
 public:
   explicit vtkMTFileSpool(std::shared_ptr<vtkMTSpoolFile> file)

@@ -3,6 +3,7 @@
 #ifndef vtkMTSpoolLookup_h
 #define vtkMTSpoolLookup_h
 
+#include "vtkMTIOCoreModule.h" // For export macro
 #include "vtkMTRecordSort.h"
 #include "vtkMTSpoolQueue.h"
 
@@ -15,7 +16,7 @@
  * Requests name items of a sequence by their index, in any order; the sequence then goes by once; the answers come in
  * the order of the requests, as often as wanted. Two external sorts: by index, and back.
  */
-class vtkMTSpoolLookup
+class VTKMTIOCORE_EXPORT vtkMTSpoolLookup
 {
 public:
   /// itemSize: bytes. memory: bytes, for the sorts.

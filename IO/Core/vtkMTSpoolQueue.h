@@ -3,6 +3,7 @@
 #ifndef vtkMTSpoolQueue_h
 #define vtkMTSpoolQueue_h
 
+#include "vtkMTIOCoreModule.h" // For export macro
 #include "vtkMTSpoolStore.h"
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 #include <vector>
 
 /// Through a buffer of 256 KiB. After Seal everything can be taken, after Rewind once more.
-class vtkMTSpoolQueue
+class VTKMTIOCORE_EXPORT vtkMTSpoolQueue
 {
 public:
   explicit vtkMTSpoolQueue(vtkMTSpoolStore& store)

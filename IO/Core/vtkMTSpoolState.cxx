@@ -2,8 +2,8 @@
 #include "vtkMTSpoolState.h"
 
 #include "vtkMTBytes.h"
+#include "vtkMTChecksum.h"
 #include "vtkMTFileByteSource.h"
-#include "vtkMTFileFormat.h"
 #include "vtkMTPosix.h"
 #include "vtkMTSpoolFile.h"
 
@@ -28,7 +28,7 @@ bool Parse(const std::vector<unsigned char>& file, std::vector<std::string>& nam
     return false;
   }
   std::memcpy(&checksum, file.data() + sizeof(Magic), sizeof(checksum));
-  if (checksum != vtkMTFileFormat::Checksum(file.data() + HeadSize, file.size() - HeadSize))
+  if (checksum != vtkMTChecksum(file.data() + HeadSize, file.size() - HeadSize))
   {
     return false;
   }
@@ -78,7 +78,7 @@ bool Write(const std::string& folder, const std::vector<std::string>& names, con
   }
   writer.PutList(bytes);
   unsigned char head[HeadSize];
-  const std::uint64_t checksum = vtkMTFileFormat::Checksum(body.data(), body.size());
+  const std::uint64_t checksum = vtkMTChecksum(body.data(), body.size());
   std::memcpy(head, Magic, sizeof(Magic));
   std::memcpy(head + sizeof(Magic), &checksum, sizeof(checksum));
 

@@ -3,22 +3,23 @@
 #ifndef vtkMTSpoolState_h
 #define vtkMTSpoolState_h
 
+#include "vtkMTIOCoreModule.h" // For export macro
 #include <string>
 #include <vector>
 
 namespace vtkMTSpoolState
 {
-std::string GetPath(const std::string& folder);
+VTKMTIOCORE_EXPORT std::string GetPath(const std::string& folder);
 
 /// Replaces the folder's state in one step, and durably. False with a message in error, the old one being as it was.
-bool Write(const std::string& folder, const std::vector<std::string>& names, const std::vector<unsigned char>& bytes,
-  std::string& error);
+VTKMTIOCORE_EXPORT bool Write(const std::string& folder, const std::vector<std::string>& names,
+  const std::vector<unsigned char>& bytes, std::string& error);
 
 /// False with a message in error when the state cannot be read or is damaged.
-bool Read(
+VTKMTIOCORE_EXPORT bool Read(
   const std::string& folder, std::vector<std::string>& names, std::vector<unsigned char>& bytes, std::string& error);
 
-bool SyncFolder(const std::string& folder, std::string& error);
+VTKMTIOCORE_EXPORT bool SyncFolder(const std::string& folder, std::string& error);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #define vtkMTTextFormat_h
 
 #include "vtkMTByteSource.h"
+#include "vtkMTIOCoreModule.h" // For export macro
 
 #include <string>
 #include <string_view>
@@ -13,23 +14,23 @@
 namespace vtkMTTextFormat
 {
 /// What follows the last dot of the file's name, in lower case; empty when there is none.
-std::string GetLowerCaseEnding(const std::string& path);
+VTKMTIOCORE_EXPORT std::string GetLowerCaseEnding(const std::string& path);
 
-std::string ToLower(std::string_view text);
+VTKMTIOCORE_EXPORT std::string ToLower(std::string_view text);
 
 /// The next token, ended by white space, which is taken off the line; empty at the end.
-std::string_view NextToken(std::string_view& line);
+VTKMTIOCORE_EXPORT std::string_view NextToken(std::string_view& line);
 
 ///@{
 /// The whole token as a number, whatever the locale; false when it is none. A number too small becomes 0, one too large
 /// is none.
-bool ToNumber(std::string_view token, double& value);
-bool ToNumber(std::string_view token, float& value);
-bool ToNumber(std::string_view token, std::int64_t& value);
+VTKMTIOCORE_EXPORT bool ToNumber(std::string_view token, double& value);
+VTKMTIOCORE_EXPORT bool ToNumber(std::string_view token, float& value);
+VTKMTIOCORE_EXPORT bool ToNumber(std::string_view token, std::int64_t& value);
 ///@}
 
 /// A byte source from front to end, in blocks.
-class Stream
+class VTKMTIOCORE_EXPORT Stream
 {
 public:
   explicit Stream(const vtkMTByteSource& source);

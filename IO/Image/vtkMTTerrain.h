@@ -26,7 +26,7 @@
 #ifndef vtkMTTerrain_h
 #define vtkMTTerrain_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOImageModule.h" // For export macro
 
 #include <cstdint>
 #include <map>
@@ -38,7 +38,7 @@ class vtkMTSpoolStore;
 class vtkMTTriangleStream;
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTTerrain
+class VTKMTIOIMAGE_EXPORT vtkMTTerrain
 {
 public:
   vtkMTTerrain();

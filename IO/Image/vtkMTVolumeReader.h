@@ -15,7 +15,7 @@
 #ifndef vtkMTVolumeReader_h
 #define vtkMTVolumeReader_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOImageModule.h" // For export macro
 
 #include <cstdint>
 #include <memory>
@@ -25,7 +25,7 @@ class vtkImageData;
 class vtkMTTriangleStream;
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTVolumeReader
+class VTKMTIOIMAGE_EXPORT vtkMTVolumeReader
 {
 public:
   /// Whether the name, for .vtk also the content, is that of a volume.

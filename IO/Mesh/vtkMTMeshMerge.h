@@ -5,7 +5,7 @@
  *
  * The cells stay in the order in which VTK numbers them (vertices, lines, polygons, strips), within each kind in the
  * order of the meshes. The cell array "PartId" (int, counted from 0 in the order of the meshes) names the mesh of each
- * cell; the builder never stitches triangles of different parts (vtkMTStitch), so parts that touch stay apart. An
+ * cell; the builder never stitches triangles of different parts (vtkMTPointWelding), so parts that touch stay apart. An
  * earlier "PartId" of a mesh is kept as "InputPartId".
  *
  * Arrays are united: those of one name, type and number of components become one array. Where a mesh lacks it, its
@@ -21,7 +21,7 @@
 #ifndef vtkMTMeshMerge_h
 #define vtkMTMeshMerge_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 #include "vtkSmartPointer.h"
 
 #include <cstdint>
@@ -31,7 +31,7 @@
 
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTMeshMerge
+class VTKMTIOMESH_EXPORT vtkMTMeshMerge
 {
 public:
   static const char* GetPartIdName() { return "PartId"; }

@@ -18,13 +18,13 @@
 #ifndef vtkMTMeshReader_h
 #define vtkMTMeshReader_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 
 #include <string>
 
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTMeshReader
+class VTKMTIOMESH_EXPORT vtkMTMeshReader
 {
 public:
   /// False, with the reason in error, and an empty output when there is no mesh to be had.

@@ -16,7 +16,7 @@
 #ifndef vtkMTMeshStream_h
 #define vtkMTMeshStream_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 #include "vtkMTTriangleStream.h"
 #include "vtkSmartPointer.h"
 
@@ -28,7 +28,7 @@
 class vtkMTSpoolStore;
 class vtkPolyData;
 
-struct VTKMTIO_EXPORT vtkMTMeshStream
+struct VTKMTIOMESH_EXPORT vtkMTMeshStream
 {
   struct Settings
   {

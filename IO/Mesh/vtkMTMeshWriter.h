@@ -26,7 +26,7 @@
 #ifndef vtkMTMeshWriter_h
 #define vtkMTMeshWriter_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 
 #include <functional>
 #include <string>
@@ -35,7 +35,7 @@
 class vtkMTTriangleStream;
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTMeshWriter
+class VTKMTIOMESH_EXPORT vtkMTMeshWriter
 {
 public:
   enum class Precision

@@ -16,14 +16,14 @@
 #ifndef vtkMTObjReader_h
 #define vtkMTObjReader_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 
 #include <string>
 
 class vtkMTByteSource;
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTObjReader
+class VTKMTIOMESH_EXPORT vtkMTObjReader
 {
 public:
   ///@{

@@ -21,14 +21,14 @@
 #ifndef vtkMTPlyReader_h
 #define vtkMTPlyReader_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 
 #include <string>
 
 class vtkMTByteSource;
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTPlyReader
+class VTKMTIOMESH_EXPORT vtkMTPlyReader
 {
 public:
   ///@{

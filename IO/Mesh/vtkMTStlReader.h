@@ -12,14 +12,14 @@
 #ifndef vtkMTStlReader_h
 #define vtkMTStlReader_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 
 #include <string>
 
 class vtkMTByteSource;
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTStlReader
+class VTKMTIOMESH_EXPORT vtkMTStlReader
 {
 public:
   ///@{

@@ -17,7 +17,7 @@
 #ifndef vtkMTTextureCollector_h
 #define vtkMTTextureCollector_h
 
-#include "vtkMTIOModule.h" // For export macro
+#include "vtkMTIOMeshModule.h" // For export macro
 #include "vtkMTTexture.h"
 
 #include <cstdint>
@@ -26,7 +26,7 @@
 
 class vtkPolyData;
 
-class VTKMTIO_EXPORT vtkMTTextureCollector
+class VTKMTIOMESH_EXPORT vtkMTTextureCollector
 {
 public:
   /// No larger image, and no larger JSON of a glTF file, is taken.

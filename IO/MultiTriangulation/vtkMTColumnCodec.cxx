@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTColumnCodec.h"
 
+#include "vtkMTDecodeScratch.h"
 #include "vtkMTRiceCode.h"
-#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ bool IsResidual(const vtkMTArrayInfo& array)
 class Order
 {
 public:
-  Order(const vtkMTArrayInfo& array, const vtkMTTraversal& traversal)
+  Order(const vtkMTArrayInfo& array, const vtkMTDecodeScratch& traversal)
     : Traversal(traversal)
     , IsOfCells(array.Association == vtkMTArrayInfo::Cell)
   {
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  const vtkMTTraversal& Traversal;
+  const vtkMTDecodeScratch& Traversal;
   bool IsOfCells;
 };
 
@@ -256,7 +256,8 @@ bool IsDirection(const vtkMTArrayInfo& array)
     array.Association == vtkMTArrayInfo::Point;
 }
 
-std::vector<unsigned char> Pack(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTTraversal& traversal)
+std::vector<unsigned char> Pack(
+  const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal)
 {
   const Layout layout = GetLayout(array, column.size() / array.GetTupleSize());
   std::vector<unsigned char> packed(column.size());
@@ -266,7 +267,7 @@ std::vector<unsigned char> Pack(const vtkMTArrayInfo& array, const vtkMTColumn& 
 }
 
 void Unpack(const vtkMTArrayInfo& array, const std::vector<unsigned char>& packed, std::size_t tuples,
-  const vtkMTTraversal& traversal, vtkMTColumn& column)
+  const vtkMTDecodeScratch& traversal, vtkMTColumn& column)
 {
   column.resize(tuples * array.GetTupleSize());
   const Layout layout = GetLayout(array, tuples);
@@ -275,7 +276,7 @@ void Unpack(const vtkMTArrayInfo& array, const std::vector<unsigned char>& packe
     { UnpackNumbers<decltype(number)>(packed.data(), layout, Order(array, traversal), column.data()); });
 }
 
-void PackDirections(const vtkMTColumn& column, const vtkMTTraversal& traversal, std::vector<unsigned char>& bytes)
+void PackDirections(const vtkMTColumn& column, const vtkMTDecodeScratch& traversal, std::vector<unsigned char>& bytes)
 {
   const std::size_t tuples = column.size() / sizeof(std::array<float, 3>);
   std::array<std::vector<std::uint16_t>, 2> known{ std::vector<std::uint16_t>(tuples + 1),
@@ -315,8 +316,8 @@ void PackDirections(const vtkMTColumn& column, const vtkMTTraversal& traversal, 
   }
 }
 
-bool UnpackDirections(
-  const unsigned char* data, std::size_t size, std::size_t tuples, const vtkMTTraversal& traversal, vtkMTColumn& column)
+bool UnpackDirections(const unsigned char* data, std::size_t size, std::size_t tuples,
+  const vtkMTDecodeScratch& traversal, vtkMTColumn& column)
 {
   DirectionRecord record;
   const std::size_t blocks = vtkMTRiceCode::GetNumberOfBlocks(tuples);

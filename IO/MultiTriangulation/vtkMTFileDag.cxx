@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTFileDag.h"
+#include "vtkMTChecksum.h"
 
 #include "vtkMTByteSource.h"
 #include "vtkMTFileMetadata.h"
@@ -189,7 +190,7 @@ std::uint64_t GetNumberOfSections(const Header& header)
 
 bool CheckHeader(const Header& header, std::uint64_t size, std::string& error)
 {
-  if (Checksum(&header, offsetof(Header, HeaderChecksum)) != header.HeaderChecksum ||
+  if (vtkMTChecksum(&header, offsetof(Header, HeaderChecksum)) != header.HeaderChecksum ||
     header.HeaderSize != sizeof(Header))
   {
     error = "its header is damaged: the checksum is wrong";
@@ -355,8 +356,8 @@ void Encode(const vtkMTGraph& graph, const std::vector<SectionRecord>& directory
     std::memcpy(bytes.data() + header.DirectoryOffset, directory.data(), directory.size() * sizeof(SectionRecord));
   }
   std::memcpy(bytes.data() + header.MetadataOffset, metadata.data(), metadata.size());
-  header.DagChecksum = Checksum(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
-  header.HeaderChecksum = Checksum(&header, offsetof(Header, HeaderChecksum));
+  header.DagChecksum = vtkMTChecksum(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
+  header.HeaderChecksum = vtkMTChecksum(&header, offsetof(Header, HeaderChecksum));
   std::memcpy(bytes.data(), &header, sizeof(Header));
 }
 
@@ -374,7 +375,7 @@ bool Decode(const vtkMTByteSource& bytes, vtkMTGraph& graph, std::vector<Section
   {
     return false;
   }
-  if (Checksum(block.data(), block.size()) != header.DagChecksum)
+  if (vtkMTChecksum(block.data(), block.size()) != header.DagChecksum)
   {
     error = "its DAG is damaged: the checksum is wrong";
     return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The records of a Multi-Triangulation file, version 4, as Documentation/file-format.md describes them. Not installed.
+// The records of a Multi-Triangulation file, version 5, as Documentation/file-format.md describes them. Not installed.
 #ifndef vtkMTFileFormat_h
 #define vtkMTFileFormat_h
 
@@ -132,8 +132,6 @@ inline std::uint64_t Align(std::uint64_t size)
   return (size + Alignment - 1) / Alignment * Alignment;
 }
 
-/// XXH3-64, seed 0.
-std::uint64_t Checksum(const void* data, std::size_t size);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkMTFileSink.h"
 
 #include "vtkMTBytes.h"
+#include "vtkMTChecksum.h"
 #include "vtkMTFileDag.h"
 #include "vtkMTFileSpoolStore.h"
 #include "vtkMTGraph.h"
@@ -101,7 +102,7 @@ struct vtkMTFileSink::Internals
     section.StoredSize = static_cast<std::uint32_t>(bytes.size());
     section.Codec = vtkMTFileFormat::Raw;
     bytes.resize(static_cast<std::size_t>(Align(bytes.size())), 0);
-    section.Checksum = vtkMTFileFormat::Checksum(bytes.data(), bytes.size());
+    section.Checksum = vtkMTChecksum(bytes.data(), bytes.size());
     this->Blobs.push_back(section);
     return this->AppendBytes(bytes, error);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTFileSource.h"
 
+#include "vtkMTDecodeScratch.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTFileDag.h"
 #include "vtkMTPatchCodec.h"
-#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <new>
@@ -26,15 +26,15 @@ public:
   {
     if (this->IsLarge || Get().Stored.size() > LargeBytes || Get().Bytes.size() > LargeBytes)
     {
-      Get() = vtkMTTraversal();
+      Get() = vtkMTDecodeScratch();
     }
   }
   TraversalOfThread(const TraversalOfThread&) = delete;
   TraversalOfThread& operator=(const TraversalOfThread&) = delete;
 
-  static vtkMTTraversal& Get()
+  static vtkMTDecodeScratch& Get()
   {
-    thread_local vtkMTTraversal traversal;
+    thread_local vtkMTDecodeScratch traversal;
     return traversal;
   }
 

@@ -2,13 +2,13 @@
 #include "vtkMTPackedGeometry.h"
 
 #include "vtkMTByteCodec.h"
+#include "vtkMTDecodeScratch.h"
 #include "vtkMTFill.h"
 #include "vtkMTGraph.h"
 #include "vtkMTIdCodec.h"
 #include "vtkMTNumberCode.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTPositionCodec.h"
-#include "vtkMTTraversal.h"
 #include "vtkMTTriangleCodec.h"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ bool ReadWedges(SideReader& side, const Record& record, std::vector<std::uint32_
 
 //------------------------------------------------------------------------------
 // The bases of wedges as those of points: a point is met with its first wedge.
-const std::vector<Basis>& GetPointBases(vtkMTTraversal& traversal)
+const std::vector<Basis>& GetPointBases(vtkMTDecodeScratch& traversal)
 {
   const std::vector<std::uint32_t>& wedgePoints = traversal.WedgePoints;
   if (wedgePoints.empty())
@@ -98,7 +98,7 @@ const std::vector<Basis>& GetPointBases(vtkMTTraversal& traversal)
 }
 
 // What the decoder will know once it has the triangles.
-void Foresee(const vtkMTPatchOrder& order, vtkMTTraversal& traversal)
+void Foresee(const vtkMTPatchOrder& order, vtkMTDecodeScratch& traversal)
 {
   std::vector<unsigned char> steps = order.Steps;
   steps.resize(steps.size() + Slack, 0);
@@ -163,7 +163,7 @@ bool ReadTriangles(SideReader& side, const Record& record, vtkMTTriangleCodec::D
       record.Triangles, record.Wedges, mesh);
 }
 
-bool ReadIdentities(SideReader& side, const Record& record, vtkMTTraversal& traversal)
+bool ReadIdentities(SideReader& side, const Record& record, vtkMTDecodeScratch& traversal)
 {
   vtkMTIdCodec::GetBorderOrder(
     traversal.Mesh.Border, traversal.WedgePoints, record.Points, traversal.IsMarked, traversal.BorderOrder);
@@ -171,8 +171,8 @@ bool ReadIdentities(SideReader& side, const Record& record, vtkMTTraversal& trav
 }
 
 // bits: what follows the side stream.
-bool ReadPositions(
-  SideReader& side, const Record& record, const unsigned char* bits, std::size_t bitsSize, vtkMTTraversal& traversal)
+bool ReadPositions(SideReader& side, const Record& record, const unsigned char* bits, std::size_t bitsSize,
+  vtkMTDecodeScratch& traversal)
 {
   vtkMTPositionCodec::Source source{};
   source.Shift = record.Shift;
@@ -195,7 +195,7 @@ bool ReadPositions(
 
 //------------------------------------------------------------------------------
 // From stream order to the patch. Shared points come first, then the others, both in stream order.
-void PlacePoints(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& patch)
+void PlacePoints(const Record& record, vtkMTDecodeScratch& traversal, vtkMTPatch& patch)
 {
   std::vector<unsigned char>& isShared = traversal.IsMarked;
   isShared.assign(record.Points, 0);
@@ -231,7 +231,7 @@ void PlacePoints(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& pa
   }
 }
 
-void Place(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& patch)
+void Place(const Record& record, vtkMTDecodeScratch& traversal, vtkMTPatch& patch)
 {
   PlacePoints(record, traversal, patch);
   if (record.HasTable == 0)
@@ -259,7 +259,7 @@ void Place(const Record& record, vtkMTTraversal& traversal, vtkMTPatch& patch)
 namespace vtkMTPackedGeometry
 {
 bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes,
-  vtkMTTraversal& traversal)
+  vtkMTDecodeScratch& traversal)
 {
   std::vector<vtkMTPoint> streamPoints(order.PointOfStream.size());
   for (std::size_t i = 0; i < streamPoints.size(); ++i)
@@ -312,7 +312,7 @@ bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vec
 }
 
 bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
-  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error)
+  vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error)
 {
   traversal.IsKnown = false;
   PackedGeometryRecord stored;

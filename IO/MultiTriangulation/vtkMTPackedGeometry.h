@@ -18,18 +18,18 @@
 
 struct vtkMTArc;
 struct vtkMTPatchOrder;
-struct vtkMTTraversal;
+struct vtkMTDecodeScratch;
 
 namespace vtkMTPackedGeometry
 {
 /// Both say how the triangles were met. Appends a consistent patch's geometry. False when it is too large for the
 /// codec.
 bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes,
-  vtkMTTraversal& traversal);
+  vtkMTDecodeScratch& traversal);
 
 /// vtkMTRiceCode::Reader::Slack bytes behind the data can be read.
 bool Decode(vtkMTFileFormat::Codec codec, const unsigned char* data, std::uint64_t size, const vtkMTArc& arc,
-  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
+  vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error);
 }
 
 #endif

@@ -2,11 +2,12 @@
 #include "vtkMTPatchCodec.h"
 
 #include "vtkMTByteCodec.h"
+#include "vtkMTChecksum.h"
 #include "vtkMTColumnCodec.h"
+#include "vtkMTDecodeScratch.h"
 #include "vtkMTPackedGeometry.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTRawGeometry.h"
-#include "vtkMTTraversal.h"
 
 #include <limits>
 
@@ -62,13 +63,13 @@ bool CloseSection(Codec codec, std::size_t begin, std::vector<unsigned char>& by
   section.StoredSize = static_cast<std::uint32_t>(size);
   section.Codec = codec;
   bytes.resize(static_cast<std::size_t>(vtkMTFileFormat::Align(bytes.size())), 0);
-  section.Checksum = vtkMTFileFormat::Checksum(bytes.data() + begin, bytes.size() - begin);
+  section.Checksum = vtkMTChecksum(bytes.data() + begin, bytes.size() - begin);
   sections.push_back(section);
   return true;
 }
 
-bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTTraversal& traversal, Codec codec,
-  std::vector<unsigned char>& bytes)
+bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal,
+  Codec codec, std::vector<unsigned char>& bytes)
 {
   if (vtkMTColumnCodec::IsDirection(array))
   {
@@ -82,8 +83,8 @@ bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vt
 }
 
 // An array that does not become smaller is stored as it is, and so is one without neighbours.
-bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTTraversal& traversal, Codec codec,
-  std::vector<unsigned char>& bytes, std::vector<Section>& sections)
+bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal,
+  Codec codec, std::vector<unsigned char>& bytes, std::vector<Section>& sections)
 {
   const std::size_t begin = bytes.size();
   const bool isSmaller = traversal.IsKnown && !column.empty() && PackColumn(array, column, traversal, codec, bytes) &&
@@ -134,7 +135,7 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
     return false;
   }
   const vtkMTPatchOrder order = vtkMTPatchOrder::Make(patch);
-  vtkMTTraversal traversal;
+  vtkMTDecodeScratch traversal;
   Codec used = codec;
   if (codec == vtkMTFileFormat::Raw || !vtkMTPackedGeometry::Encode(order, codec, bytes, traversal))
   {
@@ -159,7 +160,7 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
 bool Check(const SectionRecord& section, const unsigned char* padded, std::string& error)
 {
   const auto size = static_cast<std::size_t>(vtkMTFileFormat::Align(section.StoredSize));
-  if (vtkMTFileFormat::Checksum(padded, size) != section.Checksum)
+  if (vtkMTChecksum(padded, size) != section.Checksum)
   {
     error = "is damaged: its checksum is wrong";
     return false;
@@ -168,7 +169,7 @@ bool Check(const SectionRecord& section, const unsigned char* padded, std::strin
 }
 
 bool DecodeGeometry(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error)
+  vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error)
 {
   traversal.IsKnown = false;
   return section.Codec == vtkMTFileFormat::Raw ? vtkMTRawGeometry::Decode(data, section.StoredSize, arc, patch, error)
@@ -177,7 +178,7 @@ bool DecodeGeometry(const SectionRecord& section, const unsigned char* data, con
 }
 
 bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  const vtkMTArrayInfo& array, const vtkMTTraversal& traversal, vtkMTColumn& column, std::string& error)
+  const vtkMTArrayInfo& array, const vtkMTDecodeScratch& traversal, vtkMTColumn& column, std::string& error)
 {
   const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles;
   if (array.Role == vtkMTArrayInfo::ExactPoints && section.StoredSize == 0)

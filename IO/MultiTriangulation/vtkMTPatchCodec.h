@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-struct vtkMTTraversal;
+struct vtkMTDecodeScratch;
 
 namespace vtkMTPatchCodec
 {
@@ -33,12 +33,12 @@ constexpr std::size_t Slack = vtkMTRiceCode::Reader::Slack;
 /// The geometry of an arc's patch from its section's bytes, and how its triangles were met. Nothing is allocated before
 /// the sizes have been found right.
 bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  vtkMTTraversal& traversal, vtkMTPatch& patch, std::string& error);
+  vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error);
 
 /// An array's column from its section's bytes, after the geometry of the same patch; Slack bytes behind them can be
 /// read, too.
 bool DecodeColumn(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  const vtkMTArrayInfo& array, const vtkMTTraversal& traversal, vtkMTColumn& column, std::string& error);
+  const vtkMTArrayInfo& array, const vtkMTDecodeScratch& traversal, vtkMTColumn& column, std::string& error);
 }
 
 #endif

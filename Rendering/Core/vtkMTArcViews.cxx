@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-void vtkMTArcViews::Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTExtraction::Settings& settings)
+void vtkMTArcViews::Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTTargetCut::Settings& settings)
 {
   ++this->Frame;
   // The number has come round, or arcs have other places: nothing that is known may be taken for this frame's.
@@ -29,7 +29,7 @@ void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
   view.Frame = this->Frame;
   const vtkMTArc& arc = this->Graph->Arcs[index];
   const vtkMTNode& node = this->Graph->Nodes[arc.To];
-  const double error = this->Options.ErrorChoice == vtkMTExtraction::EdgeLength ? node.EdgeLength : node.Error;
+  const double error = this->Options.ErrorMetric == vtkMTTargetCut::EdgeLength ? node.EdgeLength : node.Error;
   if (!this->Eye)
   {
     view.Wanted = error;
@@ -45,8 +45,8 @@ void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
   {
     const vtkMTArcProjector::Depth depth = this->Projector.GetDepth(box);
     view.Certified = this->Projector.GetPixelError(depth, node.Error);
-    view.Wanted = this->Options.ErrorChoice == vtkMTExtraction::Distance ? view.Certified
-                                                                         : this->Projector.GetPixelError(depth, error);
+    view.Wanted = this->Options.ErrorMetric == vtkMTTargetCut::Distance ? view.Certified
+                                                                        : this->Projector.GetPixelError(depth, error);
   }
 }
 
@@ -63,8 +63,8 @@ double vtkMTArcViews::GetWanted(std::uint32_t node)
 
 bool vtkMTArcViews::Fits(std::uint64_t triangles, std::uint64_t bytes) const
 {
-  return (this->Options.TriangleBudget == 0 || triangles <= this->Options.TriangleBudget) &&
-    (this->Options.ByteBudget == 0 || bytes <= this->Options.ByteBudget);
+  return (this->Options.TriangleLimit == 0 || triangles <= this->Options.TriangleLimit) &&
+    (this->Options.ByteLimit == 0 || bytes <= this->Options.ByteLimit);
 }
 
 bool vtkMTArcViews::IsNearby(std::uint32_t arc) const
@@ -168,7 +168,7 @@ bool vtkMTArcViews::FacesAway(const vtkMTArc& arc) const
   return true;
 }
 
-void vtkMTArcViews::Report(vtkMTExtraction::Result& result)
+void vtkMTArcViews::Report(vtkMTTargetCut::Result& result)
 {
   const vtkMTGraph& graph = *this->Graph;
   for (const std::uint32_t node : result.RefinedNodes)
@@ -201,5 +201,5 @@ void vtkMTArcViews::Report(vtkMTExtraction::Result& result)
   }
   result.NodesRefined =
     result.RefinedNodes.empty() ? 0 : result.RefinedNodes.size() - 1; // the source is always refined
-  result.WithinBudget = this->Fits(result.Triangles, result.Bytes);
+  result.WithinLimits = this->Fits(result.Triangles, result.Bytes);
 }

@@ -4,8 +4,8 @@
 #define vtkMTArcViews_h
 
 #include "vtkMTArcProjector.h"
-#include "vtkMTExtraction.h"
 #include "vtkMTGraph.h"
+#include "vtkMTTargetCut.h"
 
 #include <array>
 #include <cstdint>
@@ -32,7 +32,7 @@ public:
   };
 
   // Begins a frame: forgets what was looked up. Graph and view must live until the next call.
-  void Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTExtraction::Settings& settings);
+  void Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTTargetCut::Settings& settings);
 
   const ArcView& Look(std::uint32_t arc)
   {
@@ -57,7 +57,7 @@ public:
   bool IsNearby(std::uint32_t arc) const;
 
   // The arcs of the result's cut that are drawn, and their figures; its refined nodes must be there.
-  void Report(vtkMTExtraction::Result& result);
+  void Report(vtkMTTargetCut::Result& result);
 
   double GetThreshold() const { return this->Threshold; }
 
@@ -67,7 +67,7 @@ private:
   const vtkMTGraph* Graph = nullptr;
   const vtkMTView* Eye = nullptr;
   vtkMTArcProjector Projector;
-  vtkMTExtraction::Settings Options;
+  vtkMTTargetCut::Settings Options;
   double Threshold = 0.0;
   struct Facing
   {

@@ -83,9 +83,9 @@ public:
 
   Result Run()
   {
-    vtkMTExtraction::Settings half = this->Options;
-    half.TimeBudget *= 0.5;
-    vtkMTExtraction::Result target = this->Owner.Extraction.Extract(this->In, half);
+    vtkMTTargetCut::Settings half = this->Options;
+    half.TimeLimit *= 0.5;
+    vtkMTTargetCut::Result target = this->Owner.Extraction.Extract(this->In, half);
     if (target.Complete && (this->Options.Wait || this->IsDrawable(target)))
     {
       this->Out = Result(std::move(target));
@@ -208,7 +208,7 @@ private:
     }
   }
 
-  bool IsDrawable(const vtkMTExtraction::Result& target)
+  bool IsDrawable(const vtkMTTargetCut::Result& target)
   {
     return std::none_of(
              target.Arcs.begin(), target.Arcs.end(), [this](std::uint32_t arc) { return this->IsMissing(arc); }) &&
@@ -753,7 +753,7 @@ vtkMTCutFollower::Result vtkMTCutFollower::Update(const Input& input, const Sett
   return Worker(*this, input, settings).Run();
 }
 
-vtkMTExtraction::Result vtkMTCutFollower::View(const Input& input, const Settings& settings)
+vtkMTTargetCut::Result vtkMTCutFollower::View(const Input& input, const Settings& settings)
 {
   return this->Extraction.View(
     this->Cut && this->Graph == input.Graph ? *this->Cut : vtkMTCut(*input.Graph), input, settings);

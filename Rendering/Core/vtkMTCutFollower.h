@@ -4,7 +4,7 @@
  * @brief the cut on the screen: follows the view from frame to frame, with what is there
  *
  * The time-critical half of Cignoni et al., "Batched Multi Triangulation" (2005), section 5. Two cuts are
- * distinguished. The *target* is what the view asks for: vtkMTExtraction's, from the coarsest cut on, as if every patch
+ * distinguished. The *target* is what the view asks for: vtkMTTargetCut's, from the coarsest cut on, as if every patch
  * were on the GPU. It is a pure function of graph, view, budgets and of which patches can be read at all. The *cut* is
  * what is drawn. It is kept from the last frame and moved towards the target by two heaps of operations:
  *
@@ -32,9 +32,9 @@
 #ifndef vtkMTCutFollower_h
 #define vtkMTCutFollower_h
 
-#include "vtkMTCutModule.h" // For export macro
-#include "vtkMTExtraction.h"
 #include "vtkMTPatchCache.h"
+#include "vtkMTRenderingCoreModule.h" // For export macro
+#include "vtkMTTargetCut.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,7 @@
 #include <memory>
 #include <vector>
 
-class VTKMTCUT_EXPORT vtkMTCutFollower
+class VTKMTRENDERINGCORE_EXPORT vtkMTCutFollower
 {
 public:
   enum StateType : std::uint8_t
@@ -52,9 +52,9 @@ public:
     Uploaded = 2 ///< on the GPU
   };
 
-  struct Settings : vtkMTExtraction::Settings
+  struct Settings : vtkMTTargetCut::Settings
   {
-    /// Bytes, as ByteBudget counts them, that are brought to the GPU in a frame; 0, the default, is no limit. The
+    /// Bytes, as ByteLimit counts them, that are brought to the GPU in a frame; 0, the default, is no limit. The
     /// coarsest patches do not count. A patch of more than that is never drawn: it should be a few times what the
     /// largest patch has.
     std::uint64_t UploadBudget = 0;
@@ -65,21 +65,21 @@ public:
     bool Wait = false;
   };
 
-  struct Input : vtkMTExtraction::Input
+  struct Input : vtkMTTargetCut::Input
   {
     /// Of an arc's patch, asked once a frame at most; none: everything is uploaded. (Resident, of the base, says here
     /// which patches can be read at all.)
     std::function<StateType(std::uint32_t arc)> GetState;
   };
 
-  struct Result : vtkMTExtraction::Result
+  struct Result : vtkMTTargetCut::Result
   {
     explicit Result(const vtkMTGraph& graph)
-      : vtkMTExtraction::Result(graph)
+      : vtkMTTargetCut::Result(graph)
     {
     }
-    explicit Result(vtkMTExtraction::Result&& base)
-      : vtkMTExtraction::Result(std::move(base))
+    explicit Result(vtkMTTargetCut::Result&& base)
+      : vtkMTTargetCut::Result(std::move(base))
     {
     }
 
@@ -105,14 +105,14 @@ public:
   Result Update(const Input& input, const Settings& settings);
 
   /// The cut of the last call, in a new view, without any operation.
-  vtkMTExtraction::Result View(const Input& input, const Settings& settings);
+  vtkMTTargetCut::Result View(const Input& input, const Settings& settings);
 
   /// The next call begins at the coarsest cut.
   void Reset();
 
 private:
   class Worker;
-  vtkMTExtraction Extraction;
+  vtkMTTargetCut Extraction;
   std::unique_ptr<vtkMTCut> Cut;
   std::vector<std::uint32_t> RefinedNodes; // of Cut, ascending
   const vtkMTGraph* Graph = nullptr;

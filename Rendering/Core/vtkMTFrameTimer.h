@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Says when a call's TimeBudget is over. Not installed.
+// Says when a call's TimeLimit is over. Not installed.
 #ifndef vtkMTFrameTimer_h
 #define vtkMTFrameTimer_h
 
-#include "vtkMTExtraction.h"
+#include "vtkMTTargetCut.h"
 
 #include <chrono>
 #include <functional>
@@ -11,8 +11,8 @@
 class vtkMTFrameTimer
 {
 public:
-  explicit vtkMTFrameTimer(const vtkMTExtraction::Settings& settings)
-    : Budget(settings.TimeBudget)
+  explicit vtkMTFrameTimer(const vtkMTTargetCut::Settings& settings)
+    : Budget(settings.TimeLimit)
     , Clock(settings.Clock)
     , Start(this->Budget > 0.0 ? this->Now() : 0.0)
   {

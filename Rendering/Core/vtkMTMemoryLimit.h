@@ -12,12 +12,12 @@
 #ifndef vtkMTMemoryLimit_h
 #define vtkMTMemoryLimit_h
 
-#include "vtkMTCutModule.h" // For export macro
+#include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <atomic>
 #include <cstddef>
 
-class VTKMTCUT_EXPORT vtkMTMemoryLimit
+class VTKMTRENDERINGCORE_EXPORT vtkMTMemoryLimit
 {
 public:
   explicit vtkMTMemoryLimit(std::size_t limit)

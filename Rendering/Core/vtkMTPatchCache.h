@@ -23,9 +23,9 @@
 #ifndef vtkMTPatchCache_h
 #define vtkMTPatchCache_h
 
-#include "vtkMTCutModule.h" // For export macro
 #include "vtkMTPatch.h"
 #include "vtkMTPatchLoader.h"
+#include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +39,7 @@
 class vtkMTMemoryLimit;
 class vtkMTPatchSource;
 
-class VTKMTCUT_EXPORT vtkMTPatchCache
+class VTKMTRENDERINGCORE_EXPORT vtkMTPatchCache
 {
 public:
   using PatchPointer = std::shared_ptr<const vtkMTPatch>;

@@ -21,8 +21,8 @@
 #ifndef vtkMTPatchLoader_h
 #define vtkMTPatchLoader_h
 
-#include "vtkMTCutModule.h" // For export macro
 #include "vtkMTPatch.h"
+#include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +34,7 @@ class vtkMTGraph;
 class vtkMTMemoryLimit;
 class vtkMTPatchSource;
 
-class VTKMTCUT_EXPORT vtkMTPatchLoader
+class VTKMTRENDERINGCORE_EXPORT vtkMTPatchLoader
 {
 public:
   using PatchPointer = std::shared_ptr<const vtkMTPatch>;

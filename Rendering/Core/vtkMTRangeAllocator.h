@@ -9,12 +9,12 @@
 #ifndef vtkMTRangeAllocator_h
 #define vtkMTRangeAllocator_h
 
-#include "vtkMTCutModule.h" // For export macro
+#include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <map>
 
-class VTKMTCUT_EXPORT vtkMTRangeAllocator
+class VTKMTRENDERINGCORE_EXPORT vtkMTRangeAllocator
 {
 public:
   static constexpr std::uint64_t Nowhere = ~std::uint64_t(0);

@@ -53,8 +53,8 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PixelError: " << this->PixelError << "\n";
-  os << indent << "TriangleBudget: " << this->TriangleBudget << "\n";
-  os << indent << "ErrorChoice: " << (this->ErrorChoice == DISTANCE ? "Distance" : "EdgeLength") << "\n";
+  os << indent << "TriangleLimit: " << this->TriangleLimit << "\n";
+  os << indent << "ErrorMetric: " << (this->ErrorMetric == DISTANCE ? "Distance" : "EdgeLength") << "\n";
   os << indent << "FrustumCulling: " << this->FrustumCulling << "\n";
   os << indent << "FacingCulling: " << this->FacingCulling << "\n";
   os << indent << "WaitForConvergence: " << this->WaitForConvergence << "\n";
@@ -66,7 +66,7 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorBy: " << this->ColorBy << "\n";
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
   os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
-  os << indent << "TrianglesPerSecond: " << this->TrianglesPerSecond << "\n";
+  os << indent << "DrawingRate: " << this->DrawingRate << "\n";
   os << indent << "Triangles: " << this->Triangles << "\n";
   os << indent << "Patches: " << this->Patches << "\n";
   os << indent << "CulledPatches: " << this->CulledPatches << "\n";
@@ -88,8 +88,8 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
   if (auto* other = vtkMultiTriangulationMapper::SafeDownCast(mapper))
   {
     this->SetPixelError(other->GetPixelError());
-    this->SetTriangleBudget(other->GetTriangleBudget());
-    this->SetErrorChoice(other->GetErrorChoice());
+    this->SetTriangleLimit(other->GetTriangleLimit());
+    this->SetErrorMetric(other->GetErrorMetric());
     this->SetFrustumCulling(other->GetFrustumCulling());
     this->SetFacingCulling(other->GetFacingCulling());
     this->SetWaitForConvergence(other->GetWaitForConvergence());
@@ -101,7 +101,7 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetColorBy(other->GetColorBy());
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
     this->SetGraphicsMemoryLimit(other->GetGraphicsMemoryLimit());
-    this->SetTrianglesPerSecond(other->GetTrianglesPerSecond());
+    this->SetDrawingRate(other->GetDrawingRate());
   }
   if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
@@ -198,7 +198,7 @@ vtkIdType vtkMultiTriangulationMapper::GetNumberOfUploadedBytes()
 //------------------------------------------------------------------------------
 bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
 {
-  const vtkMTExtraction::Result* last = this->Implementation->Keeper.GetLast();
+  const vtkMTTargetCut::Result* last = this->Implementation->Keeper.GetLast();
   if (!last)
   {
     vtkErrorMacro("Nothing has been drawn yet, so there is no cut.");
@@ -216,7 +216,7 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
 //------------------------------------------------------------------------------
 std::vector<std::uint32_t> vtkMultiTriangulationMapper::GetDrawnArcs() const
 {
-  const vtkMTExtraction::Result* last = this->Implementation->Keeper.GetLast();
+  const vtkMTTargetCut::Result* last = this->Implementation->Keeper.GetLast();
   return last ? last->Arcs : std::vector<std::uint32_t>();
 }
 
@@ -364,7 +364,7 @@ void vtkMultiTriangulationMapper::UpdateCut(vtkRenderer* renderer, vtkActor* act
   Internals& self = *this->Implementation;
   this->FillFrame(renderer, actor);
   self.View = self.Frame.View;
-  const vtkMTExtraction::Result* before = self.Keeper.GetLast();
+  const vtkMTTargetCut::Result* before = self.Keeper.GetLast();
   self.Cut = &self.Keeper.Update(renderer, self.Frame, *self.Cache);
   this->NumberOfCuts += self.Cut != before;
   this->UpdateOrigin(renderer, actor);

@@ -4,7 +4,7 @@
  * @brief draws a Multi-Triangulation, as finely as the view needs
  *
  * A mapper for any vtkActor. In every frame it finds the cut that shows the model within a given number of pixels of
- * error (see vtkMTExtraction and vtkMTCutFollower; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), has
+ * error (see vtkMTTargetCut and vtkMTCutFollower; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), has
  * loader threads read the patches that it lacks (vtkMTPatchCache), and draws them with the shaders of
  * vtkOpenGLPolyDataMapper: property, lights, scalar colouring, textures, clipping planes, edges, translucency and
  * picking are VTK's own. All passes of a frame that look through the same camera share one cut.
@@ -27,7 +27,7 @@
  * own cells, which are the coarsest cut's; its cell data has the input's cell ids. With a vtkMultiTriangulationLocator
  * vtkCellPicker picks in what was drawn, and its cell ids are the input's.
  *
- * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTExtraction
+ * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTTargetCut
  */
 #ifndef vtkMultiTriangulationMapper_h
 #define vtkMultiTriangulationMapper_h
@@ -64,8 +64,8 @@ public:
    * Triangles drawn in a frame at most; 0, the default, is no limit. Negative values are clamped to 0. The coarsest cut
    * is drawn even when it has more, and so is a frozen one.
    */
-  vtkSetClampMacro(TriangleBudget, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(TriangleBudget, vtkIdType);
+  vtkSetClampMacro(TriangleLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(TriangleLimit, vtkIdType);
   ///@}
 
   enum WaitForConvergenceType
@@ -124,7 +124,7 @@ public:
   vtkGetMacro(NumberOfLoaderThreads, int);
   ///@}
 
-  enum ErrorChoiceType
+  enum ErrorMetricType
   {
     DISTANCE = 0,
     EDGE_LENGTH = 1
@@ -135,10 +135,10 @@ public:
    * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
    * is, or the mean edge length (BMT section 5.1), which says how finely it can be shaded. Other values are clamped.
    */
-  vtkSetClampMacro(ErrorChoice, int, DISTANCE, EDGE_LENGTH);
-  vtkGetMacro(ErrorChoice, int);
-  void SetErrorChoiceToDistance() { this->SetErrorChoice(DISTANCE); }
-  void SetErrorChoiceToEdgeLength() { this->SetErrorChoice(EDGE_LENGTH); }
+  vtkSetClampMacro(ErrorMetric, int, DISTANCE, EDGE_LENGTH);
+  vtkGetMacro(ErrorMetric, int);
+  void SetErrorMetricToDistance() { this->SetErrorMetric(DISTANCE); }
+  void SetErrorMetricToEdgeLength() { this->SetErrorMetric(EDGE_LENGTH); }
   ///@}
 
   ///@{
@@ -218,16 +218,16 @@ public:
    * for 0.0001 frames per second, and without one that is what a window asks for anyway, so then there is all the time
    * that PixelError needs; a picture depends on the clock only where a frame rate is asked for and nothing is set here.
    */
-  vtkSetClampMacro(TrianglesPerSecond, double, 0.0, 1e15);
-  vtkGetMacro(TrianglesPerSecond, double);
+  vtkSetClampMacro(DrawingRate, double, 0.0, 1e15);
+  vtkGetMacro(DrawingRate, double);
   /// What budgets are made of now, measured or set; 0 while nothing has been measured.
-  double GetDrawingRate();
+  double GetCurrentDrawingRate();
   ///@}
 
   ///@{
   /**
    * Figures of the last frame. AchievedPixelError bounds, in pixels, how far anything in the picture is from where the
-   * input would put it, whatever ErrorChoice says; it is infinite where the camera is closer to the surface than the
+   * input would put it, whatever ErrorMetric says; it is infinite where the camera is closer to the surface than the
    * error. Converged: nothing that can be seen is above PixelError. Loading: the picture is not yet what the settings
    * ask for, so another frame may be a better one; it stays so where PatchMemoryLimit has no room for what is missing.
    * CulledPatches and CulledTriangles were left out for being outside the frustum, FacingAwayPatches and
@@ -343,7 +343,7 @@ private:
   void ReportFailures();
   void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
   bool UpdatePatches();
-  std::uint64_t GetTriangleLimit(vtkActor* actor);
+  std::uint64_t GetTriangleLimitOfFrame(vtkActor* actor);
   std::uint64_t GetTrianglesOfTime(double seconds);
   std::uint64_t GetGraphicsLimit();
   void MeasureRate(vtkActor* actor);
@@ -359,8 +359,8 @@ private:
   std::uint64_t GetPrimitivesPerTriangle(unsigned int mode);
 
   double PixelError = 1.0;
-  vtkIdType TriangleBudget = 0;
-  int ErrorChoice = DISTANCE;
+  vtkIdType TriangleLimit = 0;
+  int ErrorMetric = DISTANCE;
   bool FrustumCulling = true;
   bool FacingCulling = true;
   int WaitForConvergence = WAIT_WHEN_STILL;
@@ -372,7 +372,7 @@ private:
   int ColorBy = NONE;
   vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
   vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
-  double TrianglesPerSecond = 0.0;
+  double DrawingRate = 0.0;
 
   vtkIdType Triangles = 0;
   vtkIdType Patches = 0;

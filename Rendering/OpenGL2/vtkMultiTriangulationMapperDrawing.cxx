@@ -203,7 +203,7 @@ std::array<unsigned char, 4> vtkMultiTriangulationMapper::GetPatchColor(std::uin
       return vtkMTPalette::ForPatch(arc);
     default:
       return vtkMTPalette::ForError(
-        vtkMTExtraction::GetPixelError(self.Graph(), self.View, arc, vtkMTExtraction::Distance), this->PixelError);
+        vtkMTTargetCut::GetPixelError(self.Graph(), self.View, arc, vtkMTTargetCut::Distance), this->PixelError);
   }
 }
 

@@ -3,12 +3,12 @@
 #ifndef vtkMultiTriangulationMapperInternals_h
 #define vtkMultiTriangulationMapperInternals_h
 
-#include "vtkMTCutKeeper.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchArena.h"
 #include "vtkMTPatchCache.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPatchStreams.h"
+#include "vtkMTRendererCuts.h"
 #include "vtkMTView.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
@@ -24,7 +24,7 @@
 struct vtkMultiTriangulationMapper::Internals
 {
   vtkNew<vtkPolyData> Template; // one point without cells: makes the superclass build the shaders
-  vtkMTCutKeeper Keeper;
+  vtkMTRendererCuts Keeper;
   std::unique_ptr<vtkMTPatchCache> Cache;
   vtkMTPatchArena Arena;
   vtkMTPatchStreams Streams;
@@ -36,7 +36,7 @@ struct vtkMultiTriangulationMapper::Internals
 
   vtkMTView View;
   const vtkMTCutFollower::Result* Cut = nullptr;
-  vtkMTCutKeeper::Frame Frame;
+  vtkMTRendererCuts::Frame Frame;
   bool Wait = false;                             // this frame waits for what it draws
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;

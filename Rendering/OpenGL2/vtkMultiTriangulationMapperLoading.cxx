@@ -58,7 +58,7 @@ bool vtkMultiTriangulationMapper::LeavesOutWhatFacesAway(vtkRenderer* renderer, 
 void vtkMultiTriangulationMapper::FillFrame(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& self = *this->Implementation;
-  vtkMTCutKeeper::Frame& frame = self.Frame;
+  vtkMTRendererCuts::Frame& frame = self.Frame;
   frame.View = vtkMTRendererView::Make(renderer, actor);
   // A frozen cut that does not fit cannot stay.
   frame.Freeze = this->FreezeCut && self.LessTriangles == 0;
@@ -70,16 +70,16 @@ void vtkMultiTriangulationMapper::FillFrame(vtkRenderer* renderer, vtkActor* act
   };
   vtkMTCutFollower::Settings& settings = frame.Settings;
   settings.PixelError = this->PixelError;
-  settings.TriangleBudget = this->GetTriangleLimit(actor);
+  settings.TriangleLimit = this->GetTriangleLimitOfFrame(actor);
   // What is left of the limit is for gaps between patches, and for the copies while the arena grows.
-  settings.ByteBudget = this->GetGraphicsLimit() / 4 * 3;
+  settings.ByteLimit = this->GetGraphicsLimit() / 4 * 3;
   settings.BytesPerVertex = static_cast<std::uint32_t>(self.Arena.GetBytesOf(1, 0));
   settings.BytesPerTriangle = static_cast<std::uint32_t>(self.Arena.GetBytesOf(0, 1));
-  settings.ErrorChoice = this->ErrorChoice == EDGE_LENGTH ? vtkMTExtraction::EdgeLength : vtkMTExtraction::Distance;
+  settings.ErrorMetric = this->ErrorMetric == EDGE_LENGTH ? vtkMTTargetCut::EdgeLength : vtkMTTargetCut::Distance;
   settings.FrustumCulling = this->FrustumCulling && !vtkMTRendererView::IsStereo(renderer);
   settings.FacingCulling = this->LeavesOutWhatFacesAway(renderer, actor);
   settings.Wait = self.Wait;
-  settings.TimeBudget = self.Wait ? 0.0 : this->CutTimeLimit;
+  settings.TimeLimit = self.Wait ? 0.0 : this->CutTimeLimit;
   settings.UploadBudget = self.Wait ? 0 : static_cast<std::uint64_t>(this->UploadLimit);
   settings.Prefetch = this->Prefetch && (!self.Wait || renderer->GetRenderWindow()->GetInteractor());
 }

@@ -7,9 +7,9 @@
 
 #include "vtkActor.h"
 #include "vtkImageData.h"
-#include "vtkMTExtraction.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTGraph.h"
+#include "vtkMTTargetCut.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
@@ -161,11 +161,11 @@ vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(vtkMultiTriangulation* m
   mapper->SetInputData(model);
   mapper->ScalarVisibilityOff();
   mapper->SetPixelError(options.PixelError);
-  mapper->SetErrorChoice(
+  mapper->SetErrorMetric(
     options.Error == "edges" ? vtkMultiTriangulationMapper::EDGE_LENGTH : vtkMultiTriangulationMapper::DISTANCE);
   mapper->SetPatchMemoryLimit(static_cast<vtkIdType>(options.PatchMegabytes * 1e6));
   mapper->SetGraphicsMemoryLimit(static_cast<vtkIdType>(options.GraphicsMegabytes * 1e6));
-  mapper->SetTriangleBudget(options.Budget);
+  mapper->SetTriangleLimit(options.Budget);
   mapper->SetWaitForConvergence(
     options.Moving ? vtkMultiTriangulationMapper::WAIT_NEVER : vtkMultiTriangulationMapper::WAIT_ALWAYS);
   return mapper;
@@ -176,7 +176,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const vtkMTPatchSource& source, std::strin
 {
   vtkMTCut cut(source.GetGraph());
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  if (!vtkMTExtraction::ByLevel(source.GetGraph(), 0, cut, error) ||
+  if (!vtkMTTargetCut::ByLevel(source.GetGraph(), 0, cut, error) ||
     !vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error))
   {
     return nullptr;
@@ -587,7 +587,7 @@ int Run(const Options& options)
     return 1;
   }
   Json summary;
-  summary["triangles"] = source->GetGraph().GetFinestTriangles();
+  summary["triangles"] = source->GetGraph().GetNumberOfFinestTriangles();
   summary["size"] = options.Size;
   summary["pixel_error"] = options.PixelError;
   summary["error_choice"] = options.Error;

@@ -60,9 +60,9 @@ void PrintFigures(const char* name, const vtkMTGraph& graph)
   }
   std::printf("%-24s %8llu triangles, %2u levels, %5zu patches of %6.1f, root %6llu, depth %u, diameter ratio %.2f, "
               "shared borders %u, error %.4g",
-    name, static_cast<unsigned long long>(graph.GetFinestTriangles()), graph.GetNumberOfLevels(), graph.Arcs.size(),
-    static_cast<double>(stored) / static_cast<double>(graph.Arcs.size()),
-    static_cast<unsigned long long>(graph.GetRootTriangles()), conditioning.Depth, conditioning.DiameterRatio,
+    name, static_cast<unsigned long long>(graph.GetNumberOfFinestTriangles()), graph.GetNumberOfLevels(),
+    graph.Arcs.size(), static_cast<double>(stored) / static_cast<double>(graph.Arcs.size()),
+    static_cast<unsigned long long>(graph.GetNumberOfRootTriangles()), conditioning.Depth, conditioning.DiameterRatio,
     graph.FullySharedBorders, vtkMTCut(graph).GetError());
   for (const auto& [cause, edges] : graph.Blocked)
   {
@@ -200,7 +200,7 @@ TEST(Builder, RootHasAtMostTwoPatches)
     }
     const Model model(mesh.Make(), 100);
     ASSERT_TRUE(model.Built);
-    EXPECT_LE(model.GetGraph().GetRootTriangles(), 200u) << name;
+    EXPECT_LE(model.GetGraph().GetNumberOfRootTriangles(), 200u) << name;
   }
 }
 
@@ -409,7 +409,8 @@ TEST(Builder, EveryUsableTriangleIsStored)
     {
       dropped += reason.rfind("dropped_", 0) == 0 ? count : 0;
     }
-    EXPECT_EQ(graph.GetFinestTriangles() + static_cast<std::uint64_t>(dropped), graph.InputTriangles) << mesh.Name;
+    EXPECT_EQ(graph.GetNumberOfFinestTriangles() + static_cast<std::uint64_t>(dropped), graph.InputTriangles)
+      << mesh.Name;
   }
 }
 
@@ -534,7 +535,7 @@ TEST(Builder, ModelThatCannotBeSimplifiedEndsCleanly)
   ASSERT_TRUE(builder->Build(stream, store)) << builder->GetErrorMessage();
   PrintFigures("stuck", store.GetGraph());
   EXPECT_LE(store.GetGraph().GetNumberOfLevels(), 4u);
-  EXPECT_EQ(store.GetGraph().GetRootTriangles(), store.GetGraph().GetFinestTriangles());
+  EXPECT_EQ(store.GetGraph().GetNumberOfRootTriangles(), store.GetGraph().GetNumberOfFinestTriangles());
   EXPECT_GT(store.GetGraph().Blocked.at("stuck"), 0);
   // Nothing has moved, so the only error is that of the lattice.
   EXPECT_EQ(vtkMTCut(store.GetGraph()).GetError(), store.GetGraph().Lattice.MaximumShift);

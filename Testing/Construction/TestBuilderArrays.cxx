@@ -242,6 +242,6 @@ TEST(BuilderArrays, SeamStaysASeamAndDoesNotCrack)
     }
   }
   std::printf("widest triangle in u over 40 cuts: %.3f; root %llu triangles\n", widest,
-    static_cast<unsigned long long>(graph.GetRootTriangles()));
+    static_cast<unsigned long long>(graph.GetNumberOfRootTriangles()));
   EXPECT_LT(widest, 0.5); // a triangle that mixed the seam's sides would span nearly 1
 }

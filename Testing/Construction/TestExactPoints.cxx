@@ -178,7 +178,7 @@ TEST(ExactPoints, OnlyPatchesOfLevelZeroHaveThem)
     }
   }
   vtkMTCut mixed(graph);
-  while (mixed.GetNumberOfTriangles() < graph.GetFinestTriangles() / 2)
+  while (mixed.GetNumberOfTriangles() < graph.GetNumberOfFinestTriangles() / 2)
   {
     for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
     {

@@ -103,8 +103,8 @@ Result Orient(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& regions,
     }
   }
   std::sort(result.Reversed.begin(), result.Reversed.end());
-  EXPECT_EQ(result.Reversed.size(), orientation.GetReversedTriangles());
-  result.NonOrientableTriangles = orientation.GetNonOrientableTriangles();
+  EXPECT_EQ(result.Reversed.size(), orientation.GetNumberOfReversedTriangles());
+  result.NonOrientableTriangles = orientation.GetNumberOfNonOrientableTriangles();
   return result;
 }
 

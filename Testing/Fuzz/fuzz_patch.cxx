@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A section of a patch: the decoders alone, behind all checks of file and directory.
+#include "vtkMTDecodeScratch.h"
 #include "vtkMTPatchCodec.h"
-#include "vtkMTTraversal.h"
 
 #include <algorithm>
 #include <cstring>
@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   values.resize(values.size() + vtkMTPatchCodec::Slack, 0xff);
   std::string error;
   vtkMTPatch patch;
-  vtkMTTraversal traversal;
+  vtkMTDecodeScratch traversal;
   vtkMTPatchCodec::DecodeGeometry(section, geometry.data(), arc, traversal, patch, error);
   vtkMTColumn column;
   if (array.GetTupleSize() > 0)

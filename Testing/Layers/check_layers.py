@@ -1,37 +1,68 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the floor plan (Documentation/architecture.md): which folder may use which.
+"""Checks the layers (Documentation/architecture.md): which folder may use which.
 
-usage: check_floors.py SOURCE_DIRECTORY
+usage: check_layers.py SOURCE_DIRECTORY
 
-Three kinds of evidence: DEPENDS and PRIVATE_DEPENDS of every vtk.module, the #include lines of every source, and a floor's
-header that is included without its module being named in vtk.module. Exit code 0 and the number of files and includes
-looked at, or 1 and one line per violation.
+Evidence: DEPENDS and PRIVATE_DEPENDS of every vtk.module, the #include lines of every source, and headers of another folder
+whose module vtk.module does not name. What a browser can run (graph, cut, view, target cut, follower, DAG reader, decoders)
+includes no VTK header but vtkType.h, neither itself nor through the toolkit's own headers. Exit code 0 and what was looked
+at, or 1 and one line per violation.
 """
 import re
 import sys
 from pathlib import Path
 
-# Folder: (module name, the toolkit's folders that it may use, VTK modules and headers that it must not use).
 OPENGL = r"^(opengl|glew|RenderingOpenGL2|RenderingUI)$"
 RENDERING = r"^(opengl|glew|Rendering.*|Interaction.*|Views.*|Charts.*)$"
 INPUT_OUTPUT = r"^IO.*$"
-FLOORS = {
-    "Module": ("MTCore", (), f"{RENDERING}|{INPUT_OUTPUT}"),
-    "Filters/Partition": ("MTPartition", ("Module",), f"{RENDERING}|{INPUT_OUTPUT}"),
-    "Filters/Simplification": ("MTSimplification", ("Module",), f"{RENDERING}|{INPUT_OUTPUT}"),
+BOTH = f"{RENDERING}|{INPUT_OUTPUT}"
+MESH_FILES = r"^IO(Geometry|PLY|Legacy|XML.*|Import)$"
+# Folder: (module name, the toolkit's folders that it may use beside Module, VTK modules that it must not use).
+LAYERS = {
+    # Layer 0
+    "Module": ("MTCore", (), BOTH),
+    # Layer 1
+    "Filters/Sources": ("MTSources", (), BOTH),
+    "Filters/Partition": ("MTPartition", (), BOTH),
+    "Filters/Simplification": ("MTSimplification", (), BOTH),
+    "Filters/Core": ("MTFiltersCore", (), BOTH),
+    "Filters/Certification": ("MTCertification", (), BOTH),
+    "Filters/Verification": ("MTVerification", (), RENDERING),
+    "IO/Core": ("MTIOCore", (), RENDERING),
+    "Rendering/Core": ("MTRenderingCore", (), f"{RENDERING}|{INPUT_OUTPUT}"),
+    # Layer 2
+    "IO/MultiTriangulation": ("MTIO", ("IO/Core",), f"{RENDERING}|{MESH_FILES}"),
+    "IO/Mesh": ("MTIOMesh", ("IO/Core",), RENDERING),
+    "IO/Image": ("MTIOImage", ("IO/Core",), RENDERING),
     "Filters/Construction": (
         "MTConstruction",
-        ("Module", "Filters/Partition", "Filters/Simplification"),
-        f"{RENDERING}|{INPUT_OUTPUT}",
+        ("Filters/Core", "Filters/Partition", "Filters/Simplification", "Filters/Certification"),
+        BOTH,
     ),
-    "IO": ("MTIO", ("Module",), RENDERING),
-    "Rendering/Cut": ("MTCut", ("Module",), f"{OPENGL}|{INPUT_OUTPUT}"),
-    "Rendering/OpenGL2": ("MTRenderingOpenGL2", ("Module", "Rendering/Cut"), INPUT_OUTPUT),
+    "Rendering/OpenGL2": ("MTRenderingOpenGL2", ("Rendering/Core",), INPUT_OUTPUT),
+    # Layer 3
+    "Filters/General": ("MTFilters", ("IO/MultiTriangulation", "Rendering/Core"), f"{OPENGL}|{MESH_FILES}"),
+    "Filters/Building": (
+        "MTBuilding",
+        ("IO/Core", "IO/MultiTriangulation", "IO/Mesh", "IO/Image", "Filters/Core", "Filters/Partition",
+         "Filters/Simplification", "Filters/Construction"),
+        RENDERING,
+    ),
 }
-# The top floor meets everything; only the rule about CGAL holds there.
+# Layer 4 meets everything; only the rules about CGAL, OpenGL and JSON hold there.
 TOP = ("Applications", "Examples", "ParaView", "Testing")
 CGAL_FOLDER = "Filters/Simplification"
+JSON_FOLDERS = ("IO/Mesh", "Applications", "Testing")
+# What runs without VTK: these, and every header of the toolkit that they include.
+WITHOUT_VTK = {
+    "Module": ("vtkMTGraph", "vtkMTCut", "vtkMTView"),
+    "Rendering/Core": ("vtkMTTargetCut", "vtkMTArcViews", "vtkMTArcProjector", "vtkMTCutFollower"),
+    "IO/MultiTriangulation": (
+        "vtkMTFileDag", "vtkMTFileMetadata", "vtkMTPatchCodec", "vtkMTPackedGeometry", "vtkMTRawGeometry",
+        "vtkMTTriangleDecoder", "vtkMTPositionCodec", "vtkMTIdCodec", "vtkMTColumnCodec", "vtkMTByteCodec", "vtkMTRiceCode",
+    ),
+}
 OPENGL_HEADER = re.compile(r"^(vtkOpenGL|vtk_glew|vtk_glad|vtkShader|GL/|vtkTextureObject)")
 OPENGL_FOLDERS = ("Rendering/OpenGL2", *TOP)
 SOURCE_ENDINGS = (".h", ".hxx", ".hpp", ".cxx", ".cpp", ".cc", ".txx", ".in")
@@ -60,18 +91,18 @@ def sources_of(root, folder):
 
 def check_module_file(root, folder, violations):
     """Checks one vtk.module and gives the toolkit's folders that it names."""
-    name, allowed, forbidden = FLOORS[folder]
+    name, allowed, forbidden = LAYERS[folder]
     file = root / folder / "vtk.module"
     if not file.exists():
         return set()
-    folder_of = {entry[0]: key for key, entry in FLOORS.items()}
+    folder_of = {entry[0]: key for key, entry in LAYERS.items()}
     named = set()
     for depend in read_depends(file):
         package, _, module = depend.partition("::")
         if package == "MultiTriangulation":
             used = folder_of.get(module)
             named.add(used)
-            if used not in allowed:
+            if used != "Module" and used not in allowed:
                 violations.append(f"{folder}/vtk.module: {name} must not depend on {depend}")
         elif package == "VTK" and re.match(forbidden, module):
             violations.append(f"{folder}/vtk.module: {name} must not depend on {depend}")
@@ -81,7 +112,7 @@ def check_module_file(root, folder, violations):
 def check_includes(root, folder, owner_of_header, named, violations):
     """Checks the include lines of one folder and gives the number of files and of includes."""
     files = includes = 0
-    allowed = FLOORS[folder][1] if folder in FLOORS else None
+    allowed = LAYERS[folder][1] if folder in LAYERS else None
     for file in sources_of(root, folder):
         files += 1
         text = file.read_text(encoding="utf-8", errors="replace")
@@ -91,29 +122,64 @@ def check_includes(root, folder, owner_of_header, named, violations):
             where = f"{file.relative_to(root)}:{text.count(chr(10), 0, match.start()) + 1}"
             if header.startswith("CGAL/") and folder != CGAL_FOLDER:
                 violations.append(f"{where}: CGAL (GPL) is included in {CGAL_FOLDER} only, not {header}")
+            if header.startswith("nlohmann/") and folder not in JSON_FOLDERS:
+                violations.append(f"{where}: JSON is read and written in {', '.join(JSON_FOLDERS)} only, not {header}")
             if OPENGL_HEADER.match(header) and folder not in OPENGL_FOLDERS:
                 violations.append(f"{where}: {folder} must not include OpenGL's {header}")
             owner = owner_of_header.get(header.rsplit("/", 1)[-1])
             if allowed is None or owner is None or owner == folder:
                 continue
-            if owner not in allowed:
+            if owner != "Module" and owner not in allowed:
                 violations.append(f"{where}: {folder} must not include {header} of {owner}")
             elif owner not in named:
-                violations.append(f"{where}: {header} of {owner} is included, but vtk.module does not name {FLOORS[owner][0]}")
+                violations.append(f"{where}: {header} of {owner} is included, but vtk.module does not name {LAYERS[owner][0]}")
     return files, includes
+
+
+def find_vtk_headers(root, start, file_of_header):
+    """(file, header) for every VTK header but vtkType.h that the file includes, also through the toolkit's headers."""
+    seen, waiting, found = {start}, [start], []
+    while waiting:
+        file = waiting.pop()
+        for match in INCLUDE.finditer(file.read_text(encoding="utf-8", errors="replace")):
+            header = match.group(1)
+            own = file_of_header.get(header)
+            if own and own not in seen:
+                seen.add(own)
+                waiting.append(own)
+            elif not own and re.match(r"vtk(?!MT\w+Module\.h$|Type\.h$)", header):
+                found.append((file.relative_to(root), header))
+    return found
+
+
+def check_without_vtk(root, violations):
+    """Gives the number of sources that were looked at."""
+    file_of_header = {
+        file.name: file for folder in LAYERS for file in sources_of(root, folder) if file.suffix == ".h"
+    }
+    looked_at = 0
+    for folder, names in WITHOUT_VTK.items():
+        for name in names:
+            for file in (root / folder / f"{name}.h", root / folder / f"{name}.cxx"):
+                if file.exists():
+                    looked_at += 1
+                    for where, header in find_vtk_headers(root, file, file_of_header):
+                        violations.append(f"{file.relative_to(root)} is to run without VTK, but {where} includes {header}")
+    return looked_at
 
 
 def check(root):
     """All violations, and what was looked at: modules, files, includes."""
     violations = []
     owner_of_header = {}
-    for folder, (name, _, _) in FLOORS.items():
+    for folder, (name, _, _) in LAYERS.items():
         owner_of_header[f"vtk{name}Module.h"] = folder
         for file in sources_of(root, folder):
             if file.suffix == ".h":
                 owner_of_header[file.name] = folder
     modules = files = includes = 0
-    for folder in FLOORS:
+    check_without_vtk(root, violations)
+    for folder in LAYERS:
         modules += (root / folder / "vtk.module").exists()
         named = check_module_file(root, folder, violations)
         counts = check_includes(root, folder, owner_of_header, named, violations)
@@ -123,8 +189,8 @@ def check(root):
         files, includes = files + counts[0], includes + counts[1]
     for file in sorted(root.rglob("vtk.module")):
         folder = file.parent.relative_to(root).as_posix()
-        if not folder.startswith(("build", ".")) and folder not in FLOORS:
-            violations.append(f"{folder}/vtk.module: the floor plan has no such folder")
+        if not folder.startswith(("build", ".")) and folder not in LAYERS:
+            violations.append(f"{folder}/vtk.module: the layers have no such folder")
     return violations, (modules, files, includes)
 
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The check of the floors is checked: each kind of violation, planted in a small tree, is found."""
+"""The check of the layers is checked: each kind of violation, planted in a small tree, is found."""
 import tempfile
 import unittest
 from pathlib import Path
 
-import check_floors
+import check_layers
 
 
 class PlantedViolations(unittest.TestCase):
@@ -14,9 +14,9 @@ class PlantedViolations(unittest.TestCase):
         self.root = Path(self.folder.name)
         self.write("Module/vtk.module", "NAME\n  MultiTriangulation::MTCore\nDEPENDS\n  VTK::CommonCore\n")
         self.write("Module/vtkMTGraph.h", '#include "vtkMTCoreModule.h"\n#include <vector>\n')
-        self.write("IO/vtk.module", "NAME\n  MultiTriangulation::MTIO\nDEPENDS\n  MultiTriangulation::MTCore\n  VTK::IOCore\n")
-        self.write("IO/vtkMTFile.h", '#include "vtkMTGraph.h"\n')
-        self.write("IO/vtkMTFile.cxx", '#include "vtkMTFile.h"\n#include "vtkMTCoreModule.h"\n')
+        self.write("IO/MultiTriangulation/vtk.module", "NAME\n  MultiTriangulation::MTIO\nDEPENDS\n  MultiTriangulation::MTCore\n  VTK::IOCore\n")
+        self.write("IO/MultiTriangulation/vtkMTFile.h", '#include "vtkMTGraph.h"\n')
+        self.write("IO/MultiTriangulation/vtkMTFile.cxx", '#include "vtkMTFile.h"\n#include "vtkMTCoreModule.h"\n')
         self.write("Filters/Partition/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\n")
         self.write("Applications/main.cxx", '#include "vtkMTFile.h"\n')
 
@@ -29,27 +29,27 @@ class PlantedViolations(unittest.TestCase):
         file.write_text(text, encoding="utf-8")
 
     def assert_one_violation(self, *words):
-        violations, _ = check_floors.check(self.root)
+        violations, _ = check_layers.check(self.root)
         self.assertEqual(len(violations), 1, violations)
         for word in words:
             self.assertIn(word, violations[0])
 
     def test_clean_tree_has_none(self):
-        violations, counts = check_floors.check(self.root)
+        violations, counts = check_layers.check(self.root)
         self.assertEqual(violations, [])
         self.assertEqual(counts, (3, 4, 6))
 
-    def test_include_of_a_forbidden_floor_is_found(self):
+    def test_include_of_a_forbidden_layer_is_found(self):
         self.write("Filters/Partition/vtkMTSeeds.cxx", '// comment\n#include "vtkMTFile.h"\n')
-        self.assert_one_violation("Filters/Partition/vtkMTSeeds.cxx:2", "must not include vtkMTFile.h of IO")
+        self.assert_one_violation("Filters/Partition/vtkMTSeeds.cxx:2", "must not include vtkMTFile.h of IO/MultiTriangulation")
 
     def test_include_with_blanks_and_angle_brackets_is_found(self):
         self.write("Filters/Partition/vtkMTSeeds.cxx", "  #  include <vtkMTFile.h>\n")
-        self.assert_one_violation("must not include vtkMTFile.h of IO")
+        self.assert_one_violation("must not include vtkMTFile.h of IO/MultiTriangulation")
 
-    def test_floor_zero_includes_no_other_floor(self):
+    def test_layer_zero_includes_no_other_layer(self):
         self.write("Module/vtkMTCut.cxx", '#include "vtkMTIOModule.h"\n')
-        self.assert_one_violation("Module must not include vtkMTIOModule.h of IO")
+        self.assert_one_violation("Module must not include vtkMTIOModule.h of IO/MultiTriangulation")
 
     def test_depends_on_a_forbidden_module_is_found(self):
         self.write("Filters/Partition/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\nPRIVATE_DEPENDS\n  MultiTriangulation::MTIO\n")
@@ -65,27 +65,36 @@ class PlantedViolations(unittest.TestCase):
 
     def test_cgal_in_simplification_is_allowed(self):
         self.write("Filters/Simplification/vtkMTEdgeCollapse.cxx", "#include <CGAL/Surface_mesh.h>\n")
-        self.assertEqual(check_floors.check(self.root)[0], [])
+        self.assertEqual(check_layers.check(self.root)[0], [])
 
     def test_opengl_in_the_cut_is_found(self):
-        self.write("Rendering/Cut/vtkMTCache.cxx", '#include "vtkOpenGLPolyDataMapper.h"\n')
+        self.write("Rendering/Core/vtkMTCache.cxx", '#include "vtkOpenGLPolyDataMapper.h"\n')
         self.assert_one_violation("OpenGL")
+
+    def test_vtk_in_what_runs_without_it_is_found(self):
+        self.write("Module/vtkMTLattice.h", '#include "vtkType.h"\n#include "vtkMath.h"\n')
+        self.write("Module/vtkMTGraph.h", '#include "vtkMTCoreModule.h"\n#include "vtkMTLattice.h"\n')
+        self.assert_one_violation("Module/vtkMTGraph.h is to run without VTK", "vtkMTLattice.h includes vtkMath.h")
+
+    def test_json_in_the_graph_is_found(self):
+        self.write("Module/vtkMTPatch.cxx", "#include <nlohmann/json.hpp>\n")
+        self.assert_one_violation("Module/vtkMTPatch.cxx:1", "JSON")
 
     def test_include_without_depends_is_found(self):
         self.write("Filters/Partition/vtk.module", "DEPENDS\n  VTK::CommonCore\n")
         self.write("Filters/Partition/vtkMTSeeds.cxx", '#include "vtkMTGraph.h"\n')
         self.assert_one_violation("vtk.module does not name MTCore")
 
-    def test_module_outside_the_plan_is_found(self):
+    def test_module_outside_the_layers_is_found(self):
         self.write("Filters/Extra/vtk.module", "DEPENDS\n  MultiTriangulation::MTCore\n")
         self.assert_one_violation("Filters/Extra/vtk.module")
 
     def test_the_command_fails_on_a_violation_and_on_an_empty_tree(self):
-        self.assertEqual(check_floors.main([str(self.root)]), 0)
+        self.assertEqual(check_layers.main([str(self.root)]), 0)
         self.write("Module/vtkMTCut.cxx", '#include "vtkMTIOModule.h"\n')
-        self.assertEqual(check_floors.main([str(self.root)]), 1)
+        self.assertEqual(check_layers.main([str(self.root)]), 1)
         with tempfile.TemporaryDirectory() as empty:
-            self.assertEqual(check_floors.main([empty]), 1)
+            self.assertEqual(check_layers.main([empty]), 1)
 
 
 if __name__ == "__main__":

@@ -121,7 +121,7 @@ TEST(Cut, ErrorIsThatOfItsWorstArc)
   EXPECT_EQ(cut.GetError(), graph.Nodes[4].Error);
   cut.RefineWithDependencies(4);
   EXPECT_EQ(cut.GetError(), 0.5);
-  EXPECT_EQ(cut.GetNumberOfTriangles(), graph.GetFinestTriangles());
+  EXPECT_EQ(cut.GetNumberOfTriangles(), graph.GetNumberOfFinestTriangles());
 }
 
 TEST(Cut, RandomCutsAreClosedAndHalfOfThemSpanThreeLevels)

@@ -171,8 +171,8 @@ TEST(Graph, FiguresAreThoseOfTheTube)
   const auto tube = MTTestModel::MakeTube({ 256, 8, 16 });
   const vtkMTGraph& graph = tube->GetGraph();
   EXPECT_EQ(graph.GetNumberOfLevels(), 6u);
-  EXPECT_EQ(graph.GetFinestTriangles(), 256u * 16u);
-  EXPECT_LT(graph.GetRootTriangles(), 256u * 16u / 16);
+  EXPECT_EQ(graph.GetNumberOfFinestTriangles(), 256u * 16u);
+  EXPECT_LT(graph.GetNumberOfRootTriangles(), 256u * 16u / 16);
   const vtkMTGraph::Conditioning conditioning = graph.GetConditioning();
   std::cout << "depth " << conditioning.Depth << ", diameter ratio " << conditioning.DiameterRatio << "\n";
   EXPECT_EQ(conditioning.Depth, 5u);
@@ -189,8 +189,8 @@ TEST(Graph, EmptyGraphHasFiguresToo)
   vtkMTGraph graph;
   EXPECT_TRUE(graph.IsEmpty());
   EXPECT_EQ(graph.GetNumberOfLevels(), 0u);
-  EXPECT_EQ(graph.GetRootTriangles(), 0u);
-  EXPECT_EQ(graph.GetFinestTriangles(), 0u);
+  EXPECT_EQ(graph.GetNumberOfRootTriangles(), 0u);
+  EXPECT_EQ(graph.GetNumberOfFinestTriangles(), 0u);
   EXPECT_TRUE(graph.Index().empty());
   graph.Saturate(1.0);
   EXPECT_EQ(graph.GetConditioning().Depth, 0u);

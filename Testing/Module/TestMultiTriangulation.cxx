@@ -44,7 +44,7 @@ TEST(MultiTriangulation, IsThePolyDataOfItsCoarsestCut)
   EXPECT_EQ(mt->GetDataObjectType(), VTK_POLY_DATA);
   EXPECT_STREQ(mt->GetClassName(), "vtkMultiTriangulation");
   EXPECT_TRUE(mt->IsA("vtkPolyData"));
-  EXPECT_EQ(mt->GetNumberOfPolys(), static_cast<vtkIdType>(graph.GetRootTriangles()));
+  EXPECT_EQ(mt->GetNumberOfPolys(), static_cast<vtkIdType>(graph.GetNumberOfRootTriangles()));
   EXPECT_EQ(mt->GetNumberOfLevels(), 6);
   EXPECT_EQ(mt->GetNumberOfFinestTriangles(), 256 * 16);
   EXPECT_EQ(mt->GetNumberOfPatches(), static_cast<vtkIdType>(graph.Arcs.size()));

@@ -176,7 +176,7 @@ TEST(Mapper, NeverDrawsMoreTrianglesThanTheBudget)
   LookFromTheSide(scene);
   for (const vtkIdType budget : { 1000, 3000, 7777, 20000 })
   {
-    mapper->SetTriangleBudget(budget);
+    mapper->SetTriangleLimit(budget);
     scene.Render();
     std::cout << "budget " << budget << ": " << mapper->GetTriangles() << " triangles in " << mapper->GetPatches()
               << " patches, achieved " << mapper->GetAchievedPixelError() << "\n";
@@ -470,7 +470,7 @@ TEST(Mapper, BoundsAreTheModelsAndNotTheCoarsestCuts)
 TEST(Mapper, ShallowCopyDrawsTheSame)
 {
   const auto mapper = MakeMapper(MakeInput());
-  mapper->SetTriangleBudget(5000);
+  mapper->SetTriangleLimit(5000);
   mapper->SetColorByToLevel();
   vtkNew<vtkMultiTriangulationMapper> copy;
   copy->ShallowCopy(mapper);

@@ -172,7 +172,7 @@ TEST(MapperLoading, EveryFrameOfAFlightIsRightAndWithinItsLimits)
   mapper->SetUploadLimit(80000);
   mapper->SetPatchMemoryLimit(600000);
   mapper->SetGraphicsMemoryLimit(900000);
-  mapper->SetTriangleBudget(12000);
+  mapper->SetTriangleLimit(12000);
   MTScene scene(mapper);
   std::size_t worst = 0;
   vtkIdType most = 0;

@@ -208,7 +208,7 @@ TEST_F(Pipeline, BudgetIsUsedAndNotExceeded)
   for (const double patches : { 50.0, 60.0, 80.0, 100.0, 150.0 })
   {
     const auto budget = static_cast<vtkIdType>(patches * mean) + 1;
-    mapper->SetTriangleBudget(budget);
+    mapper->SetTriangleLimit(budget);
     scene.Render();
     std::cout << "budget " << budget << ": " << mapper->GetTriangles() << "\n";
     EXPECT_LE(mapper->GetTriangles(), budget);

@@ -138,7 +138,7 @@ vtkMTGraph MTRandomGraph::Make(std::uint32_t seed, int finestNodes, bool planar)
   }
   graph.Index();
   graph.Saturate(1.0 / Width);
-  graph.InputTriangles = graph.GetFinestTriangles();
+  graph.InputTriangles = graph.GetNumberOfFinestTriangles();
   return graph;
 }
 

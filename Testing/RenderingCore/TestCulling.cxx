@@ -2,7 +2,7 @@
 // What is left out is never seen: patches that face away, by their triangles.
 #include "MTTestModel.h"
 
-#include "vtkMTExtraction.h"
+#include "vtkMTTargetCut.h"
 #include "vtkMTView.h"
 
 #include <gtest/gtest.h>
@@ -93,12 +93,12 @@ struct Count
 Count Compare(const vtkMTPatchSource& model, const vtkMTView& view)
 {
   const vtkMTGraph& graph = model.GetGraph();
-  vtkMTExtraction extraction;
-  vtkMTExtraction::Settings settings;
+  vtkMTTargetCut extraction;
+  vtkMTTargetCut::Settings settings;
   settings.PixelError = 0.5;
   settings.FacingCulling = true;
   settings.FrustumCulling = false;
-  vtkMTExtraction::Input input;
+  vtkMTTargetCut::Input input;
   input.Graph = &graph;
   input.View = &view;
   const auto result = extraction.Extract(input, settings);
@@ -233,10 +233,10 @@ TEST(Culling, ConesThatLieCullNothing)
   vtkMTGraph graph = ball->GetGraph();
   std::mt19937 random(13);
   const vtkMTView view = MakeView(random, false, false, false);
-  vtkMTExtraction extraction;
-  vtkMTExtraction::Settings settings;
+  vtkMTTargetCut extraction;
+  vtkMTTargetCut::Settings settings;
   settings.FacingCulling = true;
-  vtkMTExtraction::Input input;
+  vtkMTTargetCut::Input input;
   input.Graph = &graph;
   input.View = &view;
   EXPECT_GT(extraction.Extract(input, settings).ArcsFacingAway, 0u);

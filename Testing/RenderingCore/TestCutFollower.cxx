@@ -126,16 +126,16 @@ void Check(const World& world, const Follower::Settings& settings, const Followe
     upload += world.States[arc] == Follower::Loaded ? size : 0;
     held += size;
   }
-  EXPECT_TRUE(result.Early.empty() || settings.ByteBudget == 0 || held <= settings.ByteBudget);
+  EXPECT_TRUE(result.Early.empty() || settings.ByteLimit == 0 || held <= settings.ByteLimit);
   EXPECT_EQ(result.UploadBytes, upload);
   const auto within = [](std::uint64_t value, std::uint64_t budget) { return budget == 0 || value <= budget; };
   if (result.NodesRefined > 0)
   {
-    EXPECT_TRUE(within(triangles, settings.TriangleBudget));
-    EXPECT_TRUE(within(bytes, settings.ByteBudget));
+    EXPECT_TRUE(within(triangles, settings.TriangleLimit));
+    EXPECT_TRUE(within(bytes, settings.ByteLimit));
   }
   EXPECT_TRUE(within(upload, settings.UploadBudget));
-  EXPECT_EQ(result.WithinBudget, within(triangles, settings.TriangleBudget) && within(bytes, settings.ByteBudget));
+  EXPECT_EQ(result.WithinLimits, within(triangles, settings.TriangleLimit) && within(bytes, settings.ByteLimit));
 }
 
 TEST(CutFollower, TakesWhatExtractionGivesWhereEverythingIsThere)
@@ -145,14 +145,14 @@ TEST(CutFollower, TakesWhatExtractionGivesWhereEverythingIsThere)
   Follower follower;
   Follower::Settings settings;
   settings.PixelError = 0.3;
-  settings.TriangleBudget = 200 * GetMeanPatch(graph);
+  settings.TriangleLimit = 200 * GetMeanPatch(graph);
   std::size_t operations = 0;
   for (const vtkMTView& view : MTViews::MakePath(200))
   {
     const auto input = world.See(view);
     const auto result = follower.Update(input, settings);
     Check(world, settings, result);
-    vtkMTExtraction extraction;
+    vtkMTTargetCut extraction;
     const auto target = extraction.Extract(input, settings);
     EXPECT_EQ(result.Arcs, target.Arcs);
     EXPECT_EQ(result.Triangles, target.Triangles);
@@ -160,7 +160,7 @@ TEST(CutFollower, TakesWhatExtractionGivesWhereEverythingIsThere)
     operations += result.Refined + result.Coarsened;
     if (!result.Converged)
     {
-      EXPECT_GE(result.Triangles, 0.9 * settings.TriangleBudget);
+      EXPECT_GE(result.Triangles, 0.9 * settings.TriangleLimit);
     }
   }
   std::cout << operations << " operations in 200 frames\n";
@@ -184,8 +184,8 @@ TEST(CutFollower, KeepsItsPromisesForAnyViewBudgetAndResidentSet)
       world.Randomise(random, random() % 60, random() % 40);
       Follower::Settings settings;
       settings.PixelError = 0.05 * (1 + random() % 20);
-      settings.TriangleBudget = random() % 3 ? (10 + random() % 300) * mean : 0;
-      settings.ByteBudget = random() % 3 ? (10 + random() % 300) * mean * 18 : 0;
+      settings.TriangleLimit = random() % 3 ? (10 + random() % 300) * mean : 0;
+      settings.ByteLimit = random() % 3 ? (10 + random() % 300) * mean * 18 : 0;
       settings.UploadBudget = random() % 3 ? (1 + random() % 40) * mean * 18 : 0;
       const auto result = follower.Update(world.See(view), settings);
       Check(world, settings, result);
@@ -219,15 +219,14 @@ TEST(CutFollower, BudgetsAreUsedToNineTenthsFromFiftyMeanPatchesOn)
       const std::uint64_t patches = 50 + random() % 400;
       Follower::Settings settings;
       settings.PixelError = 0.02;
-      settings.TriangleBudget = bytes ? 0 : patches * mean;
-      settings.ByteBudget = bytes ? patches * mean * 18 : 0;
+      settings.TriangleLimit = bytes ? 0 : patches * mean;
+      settings.ByteLimit = bytes ? patches * mean * 18 : 0;
       const auto result = follower.Update(world.See(view), settings);
       Check(world, settings, result);
       if (!result.Converged)
       {
-        const double used = bytes
-          ? static_cast<double>(result.Bytes) / static_cast<double>(settings.ByteBudget)
-          : static_cast<double>(result.Triangles) / static_cast<double>(settings.TriangleBudget);
+        const double used = bytes ? static_cast<double>(result.Bytes) / static_cast<double>(settings.ByteLimit)
+                                  : static_cast<double>(result.Triangles) / static_cast<double>(settings.TriangleLimit);
         least = std::min(least, used);
         EXPECT_GE(used, 0.9);
         ++limited;
@@ -255,11 +254,11 @@ TEST(CutFollower, StoppedAtAnyOperationTheCutConformsAndIsWithinItsBudgets)
       world.Randomise(random, 10, 30);
       Follower::Settings settings;
       settings.PixelError = 0.1;
-      settings.TriangleBudget = 60 * GetMeanPatch(graph);
+      settings.TriangleLimit = 60 * GetMeanPatch(graph);
       settings.UploadBudget = 20 * 18 * GetMeanPatch(graph);
       int asked = 0;
       settings.Clock = [&asked] { return static_cast<double>(asked++); };
-      settings.TimeBudget = operations;
+      settings.TimeLimit = operations;
       const auto result = follower.Update(world.See(view), settings);
       Check(world, settings, result);
       stopped += result.Complete ? 0 : 1;
@@ -282,7 +281,7 @@ TEST(CutFollower, SmallTimeBudgetStillGetsForward)
   settings.UploadBudget = 10 * 18 * GetMeanPatch(graph);
   double asked = 0.0;
   settings.Clock = [&asked] { return asked += 1.0; };
-  settings.TimeBudget = 10.0;
+  settings.TimeLimit = 10.0;
   int frames = 0;
   auto result = follower.Update(world.See(view), settings);
   EXPECT_FALSE(result.Complete);
@@ -305,7 +304,7 @@ TEST(CutFollower, StillViewConvergesToTheCutFromScratchAsPatchesArrive)
     Follower follower;
     Follower::Settings settings;
     settings.PixelError = 0.15;
-    settings.TriangleBudget = 150 * GetMeanPatch(graph);
+    settings.TriangleLimit = 150 * GetMeanPatch(graph);
     settings.UploadBudget = 12 * 18 * GetMeanPatch(graph);
     settings.Prefetch = false;
     // It comes from somewhere else.
@@ -328,7 +327,7 @@ TEST(CutFollower, StillViewConvergesToTheCutFromScratchAsPatchesArrive)
       result = follower.Update(input, settings);
     }
     EXPECT_TRUE(result.OnTarget) << "seed " << seed;
-    vtkMTExtraction extraction;
+    vtkMTTargetCut extraction;
     EXPECT_EQ(result.Arcs, extraction.Extract(input, settings).Arcs);
     std::cout << frames << " frames, " << loaded << " patches loaded for a picture of " << result.Arcs.size() << "\n";
   }
@@ -364,7 +363,7 @@ TEST(CutFollower, PatchThatCannotBeReadStopsNobodyElse)
   World world(graph);
   Follower follower;
   auto input = world.See(view);
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   const auto whole = extraction.Extract(input, settings);
   std::vector<unsigned char> readable(graph.Arcs.size(), 1);
   for (std::size_t i = 0; i < whole.Arcs.size(); i += 17)
@@ -406,7 +405,7 @@ TEST(CutFollower, LeavesNothingUndoneThatIsPossible)
       settings.PixelError = 0.3;
       const auto input = world.See(view);
       const auto result = follower.Update(input, settings);
-      vtkMTExtraction extraction;
+      vtkMTTargetCut extraction;
       const auto target = extraction.Extract(input, settings);
       for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
       {
@@ -419,7 +418,7 @@ TEST(CutFollower, LeavesNothingUndoneThatIsPossible)
         for (std::uint32_t arc = record.FirstOut; arc < record.FirstOut + record.OutCount; ++arc)
         {
           possible =
-            possible && (!vtkMTExtraction::IsVisible(graph, view, arc) || world.States[arc] != Follower::Absent);
+            possible && (!vtkMTTargetCut::IsVisible(graph, view, arc) || world.States[arc] != Follower::Absent);
         }
         EXPECT_FALSE(possible) << "seed " << seed << ", node " << node;
         ++tried;
@@ -451,7 +450,7 @@ TEST(CutFollower, NoSmallerClosedCutSatisfiesTheView)
       settings.PixelError = 1.0;
       const auto input = world.See(view);
       const auto result = follower.Update(input, settings);
-      vtkMTExtraction extraction;
+      vtkMTTargetCut extraction;
       EXPECT_TRUE(result.Converged);
       for (const vtkMTCut& cut : all)
       {

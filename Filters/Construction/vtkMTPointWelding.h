@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkMTStitch
+ * @class vtkMTPointWelding
  * @brief gives points that are one place on the surface one identity
  *
  * Meshes come apart at seams: an OBJ repeats a point for every texture coordinate, an STL for every triangle. A border
@@ -14,8 +14,8 @@
  * every place is solved by itself. All sorts are external. The identity of joined points is the smallest index among
  * them, so the result does not depend on blocks, order or memory.
  */
-#ifndef vtkMTStitch_h
-#define vtkMTStitch_h
+#ifndef vtkMTPointWelding_h
+#define vtkMTPointWelding_h
 
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTInputBlock.h"
@@ -26,12 +26,12 @@
 #include <string>
 #include <vector>
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTStitch
+class VTKMTCONSTRUCTION_EXPORT vtkMTPointWelding
 {
 public:
   /// memory: bytes, for all sorts together.
-  vtkMTStitch(vtkMTSpoolStore& store, std::size_t memory);
-  ~vtkMTStitch();
+  vtkMTPointWelding(vtkMTSpoolStore& store, std::size_t memory);
+  ~vtkMTPointWelding();
 
   /// Edges of a block's triangles that may be border edges: 3 t + c for that from corner c of triangle t to its next
   /// one.
@@ -51,8 +51,11 @@ public:
   bool Finish();
   ///@}
 
-  std::int64_t GetStitchedEdges() const { return this->StitchedEdges; }   ///< pairs of border edges that were joined
-  std::int64_t GetStitchedPoints() const { return this->StitchedPoints; } ///< points that took another one's identity
+  std::int64_t GetStitchedEdges() const { return this->StitchedEdges; } ///< pairs of border edges that were joined
+  std::int64_t GetNumberOfWeldedPoints() const
+  {
+    return this->StitchedPoints;
+  } ///< points that took another one's identity
 
   /**
    * The identity of a point that was joined with others (the smallest of them has its own); None for all others. Points

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkMTInputFragments
+ * @class vtkMTInputFragmentStep
  * @brief the fragments of mesh M_0, made of the input's triangles and points by region
  *
  * Make puts every region's records together, in parallel: all but what depends on other fragments. Finish turns round
  * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
  * (vtkMTSharedIds), and fills the state.
  */
-#ifndef vtkMTInputFragments_h
-#define vtkMTInputFragments_h
+#ifndef vtkMTInputFragmentStep_h
+#define vtkMTInputFragmentStep_h
 
 #include "vtkMTBuildSettings.h"
 #include "vtkMTBuildState.h"
@@ -27,12 +27,12 @@
 
 class vtkMTInputSpool;
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTInputFragments
+class VTKMTCONSTRUCTION_EXPORT vtkMTInputFragmentStep
 {
 public:
-  vtkMTInputFragments(
+  vtkMTInputFragmentStep(
     const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals);
-  ~vtkMTInputFragments();
+  ~vtkMTInputFragmentStep();
 
   ///@{
   /// One after the other; what Make was given is not needed any more then. False with a message in GetError.

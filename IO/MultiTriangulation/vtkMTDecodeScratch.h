@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the triangles and wedges of a packed patch were met. Not installed.
-#ifndef vtkMTTraversal_h
-#define vtkMTTraversal_h
+#ifndef vtkMTDecodeScratch_h
+#define vtkMTDecodeScratch_h
 
 #include "vtkMTIdCodec.h"
 #include "vtkMTPositionCodec.h"
@@ -14,7 +14,7 @@
  * From here the arrays of a patch know their neighbours, from which they are expected. It is filled with the geometry
  * and belongs to one thread; what it holds besides is memory that is worth keeping from patch to patch.
  */
-struct vtkMTTraversal
+struct vtkMTDecodeScratch
 {
   bool IsKnown = false; ///< not where the geometry was raw
   vtkMTTriangleCodec::Decoded Mesh;

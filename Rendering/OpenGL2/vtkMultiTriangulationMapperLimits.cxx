@@ -24,16 +24,16 @@ double RoundDown(double x)
 }
 
 //------------------------------------------------------------------------------
-double vtkMultiTriangulationMapper::GetDrawingRate()
+double vtkMultiTriangulationMapper::GetCurrentDrawingRate()
 {
-  return this->TrianglesPerSecond > 0.0 ? this->TrianglesPerSecond : this->Implementation->MeasuredRate;
+  return this->DrawingRate > 0.0 ? this->DrawingRate : this->Implementation->MeasuredRate;
 }
 
 //------------------------------------------------------------------------------
 // The limit of this frame; 0 is none.
-std::uint64_t vtkMultiTriangulationMapper::GetTriangleLimit(vtkActor* actor)
+std::uint64_t vtkMultiTriangulationMapper::GetTriangleLimitOfFrame(vtkActor* actor)
 {
-  const std::uint64_t budget = this->TriangleBudget > 0 ? static_cast<std::uint64_t>(this->TriangleBudget) : Unlimited;
+  const std::uint64_t budget = this->TriangleLimit > 0 ? static_cast<std::uint64_t>(this->TriangleLimit) : Unlimited;
   const std::uint64_t retry = this->Implementation->LessTriangles > 0 ? this->Implementation->LessTriangles : Unlimited;
   const std::uint64_t least = std::min({ budget, retry, this->GetTrianglesOfTime(actor->GetAllocatedRenderTime()) });
   return least == Unlimited ? 0 : std::max<std::uint64_t>(least, 1);
@@ -42,8 +42,8 @@ std::uint64_t vtkMultiTriangulationMapper::GetTriangleLimit(vtkActor* actor)
 //------------------------------------------------------------------------------
 std::uint64_t vtkMultiTriangulationMapper::GetTrianglesOfTime(double seconds)
 {
-  const double rate = this->GetDrawingRate();
-  const double triangles = this->TrianglesPerSecond > 0.0 ? rate * seconds : RoundDown(rate * seconds);
+  const double rate = this->GetCurrentDrawingRate();
+  const double triangles = this->DrawingRate > 0.0 ? rate * seconds : RoundDown(rate * seconds);
   // More than there are is no limit, lest a rate that flickers ask for a new cut.
   const bool limits = rate > 0.0 && triangles < static_cast<double>(this->Implementation->Triangles);
   return limits ? static_cast<std::uint64_t>(triangles) : Unlimited;
@@ -61,8 +61,8 @@ std::uint64_t vtkMultiTriangulationMapper::GetGraphicsLimit()
   {
     vertices += graph.Arcs[source.FirstOut + i].Wedges;
   }
-  return std::max(
-    static_cast<std::uint64_t>(this->GraphicsMemoryLimit), self.Arena.GetBytesOf(vertices, graph.GetRootTriangles()));
+  return std::max(static_cast<std::uint64_t>(this->GraphicsMemoryLimit),
+    self.Arena.GetBytesOf(vertices, graph.GetNumberOfRootTriangles()));
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // The triangle budget: a limit that holds, and that is used.
 #include "MTRandomGraph.h"
 
-#include "vtkMTExtraction.h"
+#include "vtkMTTargetCut.h"
 
 #include <gtest/gtest.h>
 
@@ -23,11 +23,11 @@ double GetMeanPatch(const vtkMTGraph& graph)
 
 TEST(ExtractionBudget, IsNeverExceeded)
 {
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   for (std::uint32_t seed = 0; seed < 40; ++seed)
   {
     const vtkMTGraph graph = MTRandomGraph::Make(seed, 10 + static_cast<int>(seed));
-    const std::uint64_t root = graph.GetRootTriangles();
+    const std::uint64_t root = graph.GetNumberOfRootTriangles();
     for (const double factor : { 1.0, 1.01, 1.3, 2.0, 3.7, 9.0, 30.0 })
     {
       const auto budget = static_cast<std::uint64_t>(factor * static_cast<double>(root));
@@ -42,7 +42,7 @@ TEST(ExtractionBudget, IsNeverExceeded)
 
 TEST(ExtractionBudget, IsUsedToNineTenthsFromFiftyMeanPatchesOn)
 {
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   double least = 1.0;
   int tested = 0;
   for (std::uint32_t seed = 0; seed < 60; ++seed)
@@ -52,7 +52,7 @@ TEST(ExtractionBudget, IsUsedToNineTenthsFromFiftyMeanPatchesOn)
     for (const double patches : { 50.0, 57.0, 80.0, 123.0, 200.0, 500.0, 1000.0 })
     {
       const auto budget = static_cast<std::uint64_t>(patches * mean) + 1;
-      if (budget >= graph.GetFinestTriangles())
+      if (budget >= graph.GetNumberOfFinestTriangles())
       {
         continue;
       }
@@ -72,14 +72,14 @@ TEST(ExtractionBudget, IsUsedToNineTenthsFromFiftyMeanPatchesOn)
 // No single refinement that is wanted still fits, of all that could be done: compared with every cut of small graphs.
 TEST(ExtractionBudget, LeavesNothingUndoneThatFits)
 {
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   for (std::uint32_t seed = 0; seed < 30; ++seed)
   {
     const vtkMTGraph graph = MTRandomGraph::Make(seed, 40);
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     settings.ModelError = 2e-4;
-    settings.TriangleBudget = 2 * graph.GetRootTriangles() + 1000;
-    vtkMTExtraction::Input input;
+    settings.TriangleLimit = 2 * graph.GetNumberOfRootTriangles() + 1000;
+    vtkMTTargetCut::Input input;
     input.Graph = &graph;
     const auto result = extraction.Extract(input, settings);
     for (const std::uint32_t arc : result.Arcs)
@@ -89,7 +89,7 @@ TEST(ExtractionBudget, LeavesNothingUndoneThatFits)
       {
         vtkMTCut more = result.Cut;
         more.RefineWithDependencies(node);
-        EXPECT_GT(more.GetNumberOfTriangles(), settings.TriangleBudget);
+        EXPECT_GT(more.GetNumberOfTriangles(), settings.TriangleLimit);
       }
     }
   }
@@ -98,7 +98,7 @@ TEST(ExtractionBudget, LeavesNothingUndoneThatFits)
 // Greedy by error: no cut of a small graph that fits the budget has a smaller error.
 TEST(ExtractionBudget, ErrorIsTheLeastOfAllCuts)
 {
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   int cases = 0;
   int best = 0;
   for (std::uint32_t seed = 0; seed < 40; ++seed)
@@ -107,8 +107,8 @@ TEST(ExtractionBudget, ErrorIsTheLeastOfAllCuts)
     const std::vector<vtkMTCut> all = MTRandomGraph::EnumerateCuts(graph);
     for (const double share : { 0.2, 0.4, 0.6, 0.8 })
     {
-      const auto budget = static_cast<std::uint64_t>(static_cast<double>(graph.GetRootTriangles()) +
-        share * static_cast<double>(graph.GetFinestTriangles() - graph.GetRootTriangles()));
+      const auto budget = static_cast<std::uint64_t>(static_cast<double>(graph.GetNumberOfRootTriangles()) +
+        share * static_cast<double>(graph.GetNumberOfFinestTriangles() - graph.GetNumberOfRootTriangles()));
       vtkMTCut cut(graph);
       std::string message;
       ASSERT_TRUE(extraction.ByTriangles(graph, budget, cut, message));
@@ -133,28 +133,28 @@ TEST(ExtractionBudget, ErrorIsTheLeastOfAllCuts)
 TEST(ExtractionBudget, BelowTheRootIsAnErrorWithAMessage)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(1, 20);
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   vtkMTCut cut(graph);
   std::string message;
-  EXPECT_FALSE(extraction.ByTriangles(graph, graph.GetRootTriangles() - 1, cut, message));
+  EXPECT_FALSE(extraction.ByTriangles(graph, graph.GetNumberOfRootTriangles() - 1, cut, message));
   std::cout << message << "\n";
-  EXPECT_NE(message.find(std::to_string(graph.GetRootTriangles())), std::string::npos);
-  vtkMTExtraction::Settings settings;
-  settings.TriangleBudget = graph.GetRootTriangles() - 1;
-  vtkMTExtraction::Input input;
+  EXPECT_NE(message.find(std::to_string(graph.GetNumberOfRootTriangles())), std::string::npos);
+  vtkMTTargetCut::Settings settings;
+  settings.TriangleLimit = graph.GetNumberOfRootTriangles() - 1;
+  vtkMTTargetCut::Input input;
   input.Graph = &graph;
   const auto result = extraction.Extract(input, settings);
-  EXPECT_FALSE(result.WithinBudget);
-  EXPECT_EQ(result.Triangles, graph.GetRootTriangles());
+  EXPECT_FALSE(result.WithinLimits);
+  EXPECT_EQ(result.Triangles, graph.GetNumberOfRootTriangles());
 }
 
 TEST(ExtractionBudget, LargeEnoughGivesTheFinestLevel)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(1, 100);
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   vtkMTCut cut(graph);
   std::string message;
-  ASSERT_TRUE(extraction.ByTriangles(graph, graph.GetFinestTriangles(), cut, message));
-  EXPECT_EQ(cut.GetNumberOfTriangles(), graph.GetFinestTriangles());
+  ASSERT_TRUE(extraction.ByTriangles(graph, graph.GetNumberOfFinestTriangles(), cut, message));
+  EXPECT_EQ(cut.GetNumberOfTriangles(), graph.GetNumberOfFinestTriangles());
 }
 }

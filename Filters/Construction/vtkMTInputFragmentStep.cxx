@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMTInputFragments.h"
+#include "vtkMTInputFragmentStep.h"
 
 #include "vtkMTInputSpool.h"
 #include "vtkMTPatchRecord.h"
@@ -20,7 +20,7 @@ void Count(std::map<std::string, std::int64_t>& report, const char* reason, std:
 }
 }
 
-vtkMTInputFragments::vtkMTInputFragments(
+vtkMTInputFragmentStep::vtkMTInputFragmentStep(
   const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals)
   : Settings(settings)
   , State(state)
@@ -29,21 +29,21 @@ vtkMTInputFragments::vtkMTInputFragments(
 {
 }
 
-vtkMTInputFragments::~vtkMTInputFragments() = default;
+vtkMTInputFragmentStep::~vtkMTInputFragmentStep() = default;
 
-bool vtkMTInputFragments::Fail(const std::string& error)
+bool vtkMTInputFragmentStep::Fail(const std::string& error)
 {
   this->Error = error;
   return false;
 }
 
-bool vtkMTInputFragments::Continue(const char* step, std::uint64_t done)
+bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 {
   this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State.LevelTriangles[0] });
   return !this->Aborted || this->Fail("aborted");
 }
 
-bool vtkMTInputFragments::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
+bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
   vtkMTBuildState& state = this->State;
   vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
@@ -93,7 +93,7 @@ bool vtkMTInputFragments::Make(vtkMTInputRegions& regions, const vtkMTInputSpool
   return made && this->Fragments.Seal(this->Error) && state.Barycentres.Seal(this->Error);
 }
 
-bool vtkMTInputFragments::PutMade(std::size_t region, Making& making, std::string& error)
+bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::string& error)
 {
   if (making.Fragment.Mesh.Triangles.empty())
   {
@@ -127,7 +127,7 @@ bool vtkMTInputFragments::PutMade(std::size_t region, Making& making, std::strin
 }
 
 //------------------------------------------------------------------------------
-bool vtkMTInputFragments::Finish()
+bool vtkMTInputFragmentStep::Finish()
 {
   vtkMTBuildState& state = this->State;
   {
@@ -137,8 +137,8 @@ bool vtkMTInputFragments::Finish()
       return this->Fail(this->Orientation->GetError() + this->Normals->GetError() + this->SharedIds->GetError());
     }
   }
-  Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetReversedTriangles());
-  Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNonOrientableTriangles());
+  Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetNumberOfReversedTriangles());
+  Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNumberOfNonOrientableTriangles());
   if (!state.Fragments.Begin(
         *this->Settings.Store, vtkMTBuildState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
   {
@@ -171,7 +171,7 @@ bool vtkMTInputFragments::Finish()
   return finished && state.Fragments.Seal(this->Error);
 }
 
-bool vtkMTInputFragments::Fetch(std::uint32_t region, Finishing& finishing, std::string& error)
+bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, std::string& error)
 {
   finishing = Finishing();
   std::vector<Bytes> records;
@@ -192,7 +192,7 @@ bool vtkMTInputFragments::Fetch(std::uint32_t region, Finishing& finishing, std:
   return numbered;
 }
 
-void vtkMTInputFragments::FinishOne(Finishing& finishing) const
+void vtkMTInputFragmentStep::FinishOne(Finishing& finishing) const
 {
   vtkMTInputFragment& fragment = finishing.Fragment;
   if (fragment.Mesh.Triangles.empty())
@@ -210,7 +210,7 @@ void vtkMTInputFragments::FinishOne(Finishing& finishing) const
   vtkMTPatchRecord::Encode(fragment.Mesh, finishing.Record);
 }
 
-bool vtkMTInputFragments::ForAllRegions(
+bool vtkMTInputFragmentStep::ForAllRegions(
   const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
 {
   std::string error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMemorySpoolStore.h"
-#include "vtkMTStitch.h"
+#include "vtkMTPointWelding.h"
 
 #include <gtest/gtest.h>
 
@@ -61,24 +61,24 @@ Result StitchBlocks(
     }
   }
   vtkMTMemorySpoolStore store;
-  vtkMTStitch stitch(store, std::size_t(1) << 20);
+  vtkMTPointWelding stitch(store, std::size_t(1) << 20);
   for (vtkMTInputBlock& part : parts)
   {
     for (const std::uint32_t p : part.Points)
     {
       part.IsOpen.push_back(users[p] > 1 ? 1 : 0);
     }
-    EXPECT_TRUE(stitch.Add(part, vtkMTStitch::FindEdges(part), partIds.empty() ? -1 : 0)) << stitch.GetError();
+    EXPECT_TRUE(stitch.Add(part, vtkMTPointWelding::FindEdges(part), partIds.empty() ? -1 : 0)) << stitch.GetError();
   }
   EXPECT_TRUE(stitch.Finish()) << stitch.GetError();
   Result result;
   for (std::uint32_t p = 0; p < points.size(); ++p)
   {
     const std::uint32_t root = stitch.FindRoot(p);
-    result.Root.push_back(root == vtkMTStitch::None ? p : root);
+    result.Root.push_back(root == vtkMTPointWelding::None ? p : root);
   }
   result.StitchedEdges = stitch.GetStitchedEdges();
-  result.StitchedPoints = stitch.GetStitchedPoints();
+  result.StitchedPoints = stitch.GetNumberOfWeldedPoints();
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include "MTRandomGraph.h"
 #include "MTViews.h"
 
-#include "vtkMTExtraction.h"
+#include "vtkMTTargetCut.h"
 #include "vtkMTView.h"
 
 #include <gtest/gtest.h>
@@ -16,11 +16,10 @@
 
 namespace
 {
-vtkMTExtraction::Result Extract(
-  const vtkMTGraph& graph, const vtkMTView& view, const vtkMTExtraction::Settings& settings)
+vtkMTTargetCut::Result Extract(const vtkMTGraph& graph, const vtkMTView& view, const vtkMTTargetCut::Settings& settings)
 {
-  vtkMTExtraction extraction;
-  vtkMTExtraction::Input input;
+  vtkMTTargetCut extraction;
+  vtkMTTargetCut::Input input;
   input.Graph = &graph;
   input.View = &view;
   return extraction.Extract(input, settings);
@@ -33,14 +32,14 @@ TEST(ExtractionView, EverythingVisibleIsBelowTheThreshold)
   {
     for (const double pixels : { 0.1, 0.5, 2.0 })
     {
-      vtkMTExtraction::Settings settings;
+      vtkMTTargetCut::Settings settings;
       settings.PixelError = pixels;
       const auto result = Extract(graph, view, settings);
       ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
       EXPECT_TRUE(result.Converged);
       for (const std::uint32_t arc : result.Arcs)
       {
-        const double error = vtkMTExtraction::GetPixelError(graph, view, arc, vtkMTExtraction::Distance);
+        const double error = vtkMTTargetCut::GetPixelError(graph, view, arc, vtkMTTargetCut::Distance);
         EXPECT_TRUE(error <= pixels || graph.Arcs[arc].To == graph.GetSink());
         EXPECT_LE(error, result.PixelError);
       }
@@ -54,7 +53,7 @@ TEST(ExtractionView, NoNodeIsRefinedWithoutNeed)
   const vtkMTGraph graph = MTRandomGraph::Make(8, 200);
   for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     settings.PixelError = 0.5;
     const auto result = Extract(graph, view, settings);
     for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
@@ -70,7 +69,7 @@ TEST(ExtractionView, NoNodeIsRefinedWithoutNeed)
       {
         const std::uint32_t arc = graph.Entering[k];
         needed =
-          needed || vtkMTExtraction::GetPixelError(graph, view, arc, vtkMTExtraction::Distance) > settings.PixelError;
+          needed || vtkMTTargetCut::GetPixelError(graph, view, arc, vtkMTTargetCut::Distance) > settings.PixelError;
       }
       EXPECT_TRUE(needed) << "node " << node;
       ++nodes;
@@ -88,7 +87,7 @@ TEST(ExtractionView, SmallerThresholdsRefineTheSameNodesAndMore)
     vtkMTCut last(graph);
     for (const double pixels : { 10.0, 3.0, 1.0, 0.3, 0.1 })
     {
-      vtkMTExtraction::Settings settings;
+      vtkMTTargetCut::Settings settings;
       settings.PixelError = pixels;
       const auto result = Extract(graph, view, settings);
       for (std::uint32_t node = 0; node < graph.Nodes.size(); ++node)
@@ -107,7 +106,7 @@ TEST(ExtractionView, NoPointOfACulledPatchIsInTheFrustum)
   std::size_t culled = 0;
   for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     const auto result = Extract(graph, view, settings);
     for (const std::uint32_t arc : result.Cut.GetArcs())
     {
@@ -145,7 +144,7 @@ TEST(ExtractionView, CullingOffDrawsTheSameCutWhole)
   const vtkMTGraph graph = MTRandomGraph::Make(12, 200);
   for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     const auto culled = Extract(graph, view, settings);
     settings.FrustumCulling = false;
     const auto whole = Extract(graph, view, settings);
@@ -169,9 +168,9 @@ TEST(ExtractionView, BudgetCountsWhatIsDrawnAndIsUsed)
   {
     for (const double patches : { 50.0, 100.0, 300.0 })
     {
-      vtkMTExtraction::Settings settings;
+      vtkMTTargetCut::Settings settings;
       settings.PixelError = 0.02;
-      settings.TriangleBudget = static_cast<std::uint64_t>(patches * mean);
+      settings.TriangleLimit = static_cast<std::uint64_t>(patches * mean);
       const auto result = Extract(graph, view, settings);
       ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
       std::uint64_t triangles = 0;
@@ -180,10 +179,10 @@ TEST(ExtractionView, BudgetCountsWhatIsDrawnAndIsUsed)
         triangles += graph.Arcs[arc].Triangles;
       }
       EXPECT_EQ(result.Triangles, triangles);
-      EXPECT_LE(result.Triangles, settings.TriangleBudget);
+      EXPECT_LE(result.Triangles, settings.TriangleLimit);
       if (!result.Converged)
       {
-        const double used = static_cast<double>(triangles) / static_cast<double>(settings.TriangleBudget);
+        const double used = static_cast<double>(triangles) / static_cast<double>(settings.TriangleLimit);
         least = std::min(least, used);
         EXPECT_GE(used, 0.9);
         ++short_;
@@ -197,12 +196,12 @@ TEST(ExtractionView, BudgetCountsWhatIsDrawnAndIsUsed)
 TEST(ExtractionView, KeptCutIsShownAsItWasExtracted)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(14, 200);
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   for (const vtkMTView& view : MTViews::MakeRandom(1, 24))
   {
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     settings.PixelError = 0.5;
-    vtkMTExtraction::Input input;
+    vtkMTTargetCut::Input input;
     input.Graph = &graph;
     input.View = &view;
     const auto result = extraction.Extract(input, settings);
@@ -219,7 +218,7 @@ TEST(ExtractionView, OutOfSightNothingIsRefinedOrDrawn)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(15, 100);
   const vtkMTView view = MTViews::LookAt(0.5, 0.5, 0.5, 3.0); // upwards
-  const auto result = Extract(graph, view, vtkMTExtraction::Settings());
+  const auto result = Extract(graph, view, vtkMTTargetCut::Settings());
   EXPECT_EQ(result.NodesRefined, 0u);
   EXPECT_TRUE(result.Arcs.empty());
   EXPECT_EQ(result.Triangles, 0u);

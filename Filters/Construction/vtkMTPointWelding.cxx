@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMTStitch.h"
+#include "vtkMTPointWelding.h"
 
 #include "vtkMTRadixSort.h"
 
@@ -9,7 +9,7 @@
 
 using Place = vtkMTInputBlock::Place;
 
-struct vtkMTStitch::Edge
+struct vtkMTPointWelding::Edge
 {
   std::uint64_t Key;
   std::uint32_t From; // points
@@ -19,7 +19,7 @@ struct vtkMTStitch::Edge
   std::int64_t Part;
 };
 
-struct vtkMTStitch::Union
+struct vtkMTPointWelding::Union
 {
   std::uint64_t Key; // of the place
   std::uint32_t A;
@@ -89,7 +89,7 @@ private:
 };
 }
 
-vtkMTStitch::vtkMTStitch(vtkMTSpoolStore& store, std::size_t memory)
+vtkMTPointWelding::vtkMTPointWelding(vtkMTSpoolStore& store, std::size_t memory)
   : Store(store)
   , Memory(memory)
   , Open(std::make_unique<vtkMTRecordSort>(store, sizeof(Edge), memory / 2))
@@ -97,9 +97,9 @@ vtkMTStitch::vtkMTStitch(vtkMTSpoolStore& store, std::size_t memory)
 {
 }
 
-vtkMTStitch::~vtkMTStitch() = default;
+vtkMTPointWelding::~vtkMTPointWelding() = default;
 
-bool vtkMTStitch::Fail(const std::string& error)
+bool vtkMTPointWelding::Fail(const std::string& error)
 {
   this->Error = error;
   return false;
@@ -107,7 +107,7 @@ bool vtkMTStitch::Fail(const std::string& error)
 
 //------------------------------------------------------------------------------
 // Border edges
-vtkMTStitch::BlockEdges vtkMTStitch::FindEdges(const vtkMTInputBlock& block)
+vtkMTPointWelding::BlockEdges vtkMTPointWelding::FindEdges(const vtkMTInputBlock& block)
 {
   // The block's own edges: smaller end, larger end. Blocks have fewer than 2^18 points.
   constexpr int bits = 18;
@@ -145,7 +145,7 @@ vtkMTStitch::BlockEdges vtkMTStitch::FindEdges(const vtkMTInputBlock& block)
   return result;
 }
 
-bool vtkMTStitch::Add(const vtkMTInputBlock& block, const BlockEdges& edges, int partColumn)
+bool vtkMTPointWelding::Add(const vtkMTInputBlock& block, const BlockEdges& edges, int partColumn)
 {
   for (const std::uint32_t corner : edges.Open)
   {
@@ -166,7 +166,7 @@ bool vtkMTStitch::Add(const vtkMTInputBlock& block, const BlockEdges& edges, int
   return true;
 }
 
-vtkMTStitch::Edge vtkMTStitch::MakeEdge(const vtkMTInputBlock& block, std::uint32_t corner, int partColumn)
+vtkMTPointWelding::Edge vtkMTPointWelding::MakeEdge(const vtkMTInputBlock& block, std::uint32_t corner, int partColumn)
 {
   const vtkMTInputBlock::Triangle& t = block.Triangles[corner / 3];
   const std::uint32_t from = t[corner % 3];
@@ -175,14 +175,14 @@ vtkMTStitch::Edge vtkMTStitch::MakeEdge(const vtkMTInputBlock& block, std::uint3
     GetPart(block, corner / 3, partColumn) };
 }
 
-bool vtkMTStitch::AddBorderEdge(const Edge& edge)
+bool vtkMTPointWelding::AddBorderEdge(const Edge& edge)
 {
   Edge keyed = edge;
   keyed.Key = Hash(edge.PlaceOfFrom) + Hash(edge.PlaceOfTo);
   return this->Border->Add(&keyed) || this->Fail(this->Border->GetError());
 }
 
-bool vtkMTStitch::FindBorderAmongOpen()
+bool vtkMTPointWelding::FindBorderAmongOpen()
 {
   Edge last{};
   std::uint64_t uses = 0;
@@ -210,7 +210,7 @@ bool vtkMTStitch::FindBorderAmongOpen()
 
 //------------------------------------------------------------------------------
 // Pairs of border edges
-bool vtkMTStitch::JoinEdges()
+bool vtkMTPointWelding::JoinEdges()
 {
   std::vector<Edge> edges; // with one key
   bool good = this->Border->Finish();
@@ -231,7 +231,7 @@ bool vtkMTStitch::JoinEdges()
 }
 
 // Empties the list.
-bool vtkMTStitch::JoinEdgesAtPlaces(std::vector<Edge>& edges)
+bool vtkMTPointWelding::JoinEdgesAtPlaces(std::vector<Edge>& edges)
 {
   const auto ends = [](const Edge& edge) { return GetEnds(edge.Part, edge.PlaceOfFrom, edge.PlaceOfTo); };
   std::stable_sort(edges.begin(), edges.end(), [&ends](const Edge& a, const Edge& b) { return ends(a) < ends(b); });
@@ -260,7 +260,7 @@ bool vtkMTStitch::JoinEdgesAtPlaces(std::vector<Edge>& edges)
 
 //------------------------------------------------------------------------------
 // Points that have become one
-bool vtkMTStitch::SolvePlaces()
+bool vtkMTPointWelding::SolvePlaces()
 {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> unions; // with one key
   std::uint64_t last = 0;
@@ -283,7 +283,7 @@ bool vtkMTStitch::SolvePlaces()
 }
 
 // Empties the list.
-bool vtkMTStitch::SolvePlace(std::vector<std::pair<std::uint32_t, std::uint32_t>>& unions)
+bool vtkMTPointWelding::SolvePlace(std::vector<std::pair<std::uint32_t, std::uint32_t>>& unions)
 {
   std::vector<std::uint32_t> points;
   for (const auto& [a, b] : unions)
@@ -320,7 +320,7 @@ bool vtkMTStitch::SolvePlace(std::vector<std::pair<std::uint32_t, std::uint32_t>
   return added;
 }
 
-bool vtkMTStitch::Finish()
+bool vtkMTPointWelding::Finish()
 {
   if (!this->FindBorderAmongOpen())
   {
@@ -341,7 +341,7 @@ bool vtkMTStitch::Finish()
   return !this->Roots->HasFailed() || this->Fail(this->Roots->GetError());
 }
 
-std::uint32_t vtkMTStitch::FindRoot(std::uint32_t point)
+std::uint32_t vtkMTPointWelding::FindRoot(std::uint32_t point)
 {
   while ((this->NextRoot >> 32) < point)
   {

@@ -56,7 +56,7 @@ void Fly(MTScene& scene, double t)
 TEST(MapperBudget, DesiredUpdateRateLimitsTriangles)
 {
   const auto mapper = MakeMapper(0.0);
-  mapper->SetTrianglesPerSecond(2e5);
+  mapper->SetDrawingRate(2e5);
   MTScene scene(mapper);
   LookFromTheSide(scene);
   for (const double rate : { 200.0, 50.0, 20.0, 10.0 })
@@ -73,7 +73,7 @@ TEST(MapperBudget, DesiredUpdateRateLimitsTriangles)
 TEST(MapperBudget, StillViewIsRefinedToThePixelError)
 {
   const auto mapper = MakeMapper(0.3);
-  mapper->SetTrianglesPerSecond(1e5);
+  mapper->SetDrawingRate(1e5);
   MTScene scene(mapper);
   LookFromTheSide(scene);
   scene.Window->SetDesiredUpdateRate(30.0);
@@ -103,7 +103,7 @@ TEST(MapperBudget, ActorsShareTheTimeOfTheirRenderer)
   scene.Window->SetDesiredUpdateRate(10.0);
   for (const auto& mapper : { first, second })
   {
-    mapper->SetTrianglesPerSecond(3e5);
+    mapper->SetDrawingRate(3e5);
   }
   scene.Render();
   std::cout << first->GetTriangles() << " and " << second->GetTriangles() << " triangles\n";
@@ -117,18 +117,18 @@ TEST(MapperBudget, RateIsMeasuredWhenNoneIsSet)
   const auto mapper = MakeMapper(0.0);
   MTScene scene(mapper);
   LookFromTheSide(scene);
-  EXPECT_EQ(mapper->GetDrawingRate(), 0.0);
+  EXPECT_EQ(mapper->GetCurrentDrawingRate(), 0.0);
   for (int frame = 0; frame < 5; ++frame)
   {
     scene.Render();
   }
-  EXPECT_GT(mapper->GetDrawingRate(), 0.0);
+  EXPECT_GT(mapper->GetCurrentDrawingRate(), 0.0);
   const vtkIdType all = mapper->GetTriangles();
   // So that whatever this machine draws in a second, a tenth of the triangles must do.
-  const double rate = 10.0 * mapper->GetDrawingRate() / static_cast<double>(all);
+  const double rate = 10.0 * mapper->GetCurrentDrawingRate() / static_cast<double>(all);
   scene.Window->SetDesiredUpdateRate(rate);
   scene.Render();
-  std::cout << mapper->GetDrawingRate() << " triangles per second; " << all << " triangles, at " << rate
+  std::cout << mapper->GetCurrentDrawingRate() << " triangles per second; " << all << " triangles, at " << rate
             << " frames per second " << mapper->GetTriangles() << "\n";
   EXPECT_LT(mapper->GetTriangles(), all);
 }
@@ -209,11 +209,11 @@ TEST(MapperBudget, GrowingArenaUploadsNothingTwice)
   const auto mapper = MakeMapper(0.0);
   MTScene scene(mapper);
   LookFromTheSide(scene);
-  mapper->SetTriangleBudget(2000);
+  mapper->SetTriangleLimit(2000);
   vtkIdType last = 0;
   for (const vtkIdType budget : { 2000, 4000, 9000, 20000, 0 })
   {
-    mapper->SetTriangleBudget(budget);
+    mapper->SetTriangleLimit(budget);
     scene.Render();
     const vtkIdType uploaded = mapper->GetNumberOfUploadedBytes();
     std::cout << "budget " << budget << ": " << mapper->GetTriangles() << " triangles, " << mapper->GetGraphicsMemory()

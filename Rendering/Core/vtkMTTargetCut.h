@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkMTExtraction
+ * @class vtkMTTargetCut
  * @brief finds the cut to draw: a pure function of graph, view, settings and what is resident
  *
  * The refinement half of Cignoni et al., "Batched Multi Triangulation" (2005), section 5. Extraction starts at the
@@ -22,17 +22,17 @@
  * Patches that face away, where they are left out (FacingCulling), are refined like those that do not: what they stand
  * for may face the eye where they do not.
  *
- * Extraction can be stopped before any operation: by a TimeBudget, read off a Clock that tests can give. What has been
+ * Extraction can be stopped before any operation: by a TimeLimit, read off a Clock that tests can give. What has been
  * refined until then is a conforming cut within the budgets, the largest errors having been remedied first.
  *
  * The result depends on the arguments alone. The object keeps scratch memory between calls, so use one object per
  * thread.
  */
-#ifndef vtkMTExtraction_h
-#define vtkMTExtraction_h
+#ifndef vtkMTTargetCut_h
+#define vtkMTTargetCut_h
 
 #include "vtkMTCut.h"
-#include "vtkMTCutModule.h" // For export macro
+#include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -45,10 +45,10 @@ class vtkMTArcViews;
 class vtkMTGraph;
 struct vtkMTView;
 
-class VTKMTCUT_EXPORT vtkMTExtraction
+class VTKMTRENDERINGCORE_EXPORT vtkMTTargetCut
 {
 public:
-  enum ErrorChoiceType : std::uint8_t
+  enum ErrorMetricType : std::uint8_t
   {
     Distance = 0,  ///< the certified distance to the input: says where the surface is
     EdgeLength = 1 ///< the mean edge length (BMT section 5.1): says how finely it can be shaded
@@ -61,18 +61,18 @@ public:
     /// Without a view, model units: what is above is refined. Default 0; negative refines everything.
     double ModelError = 0.0;
     /// Triangles drawn at most; 0, the default, is no limit. Where the coarsest cut has more, it is drawn all the same
-    /// and the result is not WithinBudget.
-    std::uint64_t TriangleBudget = 0;
+    /// and the result is not WithinLimits.
+    std::uint64_t TriangleLimit = 0;
     /// Bytes on the GPU of the patches drawn at most, a patch counting BytesPerVertex for each wedge and
     /// BytesPerTriangle for each triangle; 0, the default, is no limit. The coarsest cut is an exception as above.
-    std::uint64_t ByteBudget = 0;
+    std::uint64_t ByteLimit = 0;
     std::uint32_t BytesPerVertex = 12;
     std::uint32_t BytesPerTriangle = 12;
     /// Seconds from the beginning of the call after which no further operation is begun; 0, the default, is no limit.
-    double TimeBudget = 0.0;
+    double TimeLimit = 0.0;
     /// Gives seconds, from any origin on; none: a steady clock.
     std::function<double()> Clock;
-    ErrorChoiceType ErrorChoice = Distance;
+    ErrorMetricType ErrorMetric = Distance;
     /// Whether patches outside the frustum are left out. Refinement follows the frustum in either case. Default on.
     bool FrustumCulling = true;
     /// Whether patches all of whose triangles are seen from behind are left out, by their normal cones. Default off:
@@ -109,12 +109,12 @@ public:
     std::uint64_t Triangles = 0;             ///< of Arcs
     std::uint64_t Bytes = 0;                 ///< of Arcs on the GPU
     /// With a view: upper bound, in pixels, of how far anything in the picture is from where the input would put it; it
-    /// is the certified distance whatever ErrorChoice says, and infinite where the camera is inside a patch's error.
+    /// is the certified distance whatever ErrorMetric says, and infinite where the camera is inside a patch's error.
     double PixelError = 0.0;
     double ModelError = 0.0; ///< the cut's largest certified distance to the input, model units
     bool Converged = true;   ///< nothing that can be seen is above the threshold
-    bool WithinBudget = true;
-    bool Complete = true; ///< not stopped by the TimeBudget
+    bool WithinLimits = true;
+    bool Complete = true; ///< not stopped by the TimeLimit
 
     std::size_t NodesRefined = 0;
     std::size_t ArcsInCut = 0;
@@ -127,10 +127,10 @@ public:
     std::vector<Request> Requests; ///< the largest error first
   };
 
-  vtkMTExtraction();
-  ~vtkMTExtraction();
-  vtkMTExtraction(const vtkMTExtraction&) = delete;
-  vtkMTExtraction& operator=(const vtkMTExtraction&) = delete;
+  vtkMTTargetCut();
+  ~vtkMTTargetCut();
+  vtkMTTargetCut(const vtkMTTargetCut&) = delete;
+  vtkMTTargetCut& operator=(const vtkMTTargetCut&) = delete;
 
   Result Extract(const Input& input, const Settings& settings);
 
@@ -156,7 +156,7 @@ public:
   ///@{
   /// Of one arc's patch in a view: its bound in pixels, and whether any of it can be seen.
   static double GetPixelError(
-    const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice);
+    const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorMetricType choice);
   static bool IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc);
   ///@}
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkMTCutKeeper
+ * @class vtkMTRendererCuts
  * @brief one cut per renderer and view: what is drawn, kept while nothing changes
  *
  * Every pass of a frame (opaque, translucent, depth peeling, selection) asks again; as long as view and settings are
@@ -8,8 +8,8 @@
  * towards it as patches arrive (vtkMTCutFollower). Patches that cannot be read count as not there for good, so the
  * coarser ones stay in the cut.
  */
-#ifndef vtkMTCutKeeper_h
-#define vtkMTCutKeeper_h
+#ifndef vtkMTRendererCuts_h
+#define vtkMTRendererCuts_h
 
 #include "vtkMTCutFollower.h"
 #include "vtkMTPatchCache.h"
@@ -25,7 +25,7 @@
 class vtkMTPatchSource;
 class vtkRenderer;
 
-class vtkMTCutKeeper
+class vtkMTRendererCuts
 {
 public:
   struct Frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMTExtraction.h"
+#include "vtkMTTargetCut.h"
 
 #include "vtkMTArcProjector.h"
 #include "vtkMTArcViews.h"
@@ -20,7 +20,7 @@ constexpr std::uint64_t HopelessOvershoot = 4;
 }
 
 // Kept between calls so that a frame costs as much as its cut, not as much as its graph.
-struct vtkMTExtraction::Scratch
+struct vtkMTTargetCut::Scratch
 {
   vtkMTArcViews Views;
   std::vector<unsigned char> Marks; // nodes of the closure at hand; all zero between uses
@@ -40,7 +40,7 @@ struct vtkMTExtraction::Scratch
   }
 };
 
-class vtkMTExtraction::Worker
+class vtkMTTargetCut::Worker
 {
 public:
   Worker(const Input& input, const Settings& settings, Scratch& memory)
@@ -125,7 +125,7 @@ private:
       this->Out.Cut.Refine(node);
     }
     this->Memory.Views.Report(this->Out);
-    return this->Out.WithinBudget;
+    return this->Out.WithinLimits;
   }
 
   bool MarkAllWanted()
@@ -389,46 +389,46 @@ private:
   std::vector<Request> Missing;
 };
 
-vtkMTExtraction::vtkMTExtraction()
+vtkMTTargetCut::vtkMTTargetCut()
   : Memory(std::make_unique<Scratch>())
 {
 }
 
-vtkMTExtraction::~vtkMTExtraction() = default;
+vtkMTTargetCut::~vtkMTTargetCut() = default;
 
-vtkMTArcViews& vtkMTExtraction::GetViews()
+vtkMTArcViews& vtkMTTargetCut::GetViews()
 {
   return this->Memory->Views;
 }
 
-vtkMTExtraction::Result vtkMTExtraction::Extract(const Input& input, const Settings& settings)
+vtkMTTargetCut::Result vtkMTTargetCut::Extract(const Input& input, const Settings& settings)
 {
   return Worker(input, settings, *this->Memory).Run();
 }
 
-vtkMTExtraction::Result vtkMTExtraction::View(const vtkMTCut& cut, const Input& input, const Settings& settings)
+vtkMTTargetCut::Result vtkMTTargetCut::View(const vtkMTCut& cut, const Input& input, const Settings& settings)
 {
   return Worker(input, settings, *this->Memory).Show(cut);
 }
 
-bool vtkMTExtraction::ByTriangles(const vtkMTGraph& graph, std::uint64_t triangles, vtkMTCut& cut, std::string& message)
+bool vtkMTTargetCut::ByTriangles(const vtkMTGraph& graph, std::uint64_t triangles, vtkMTCut& cut, std::string& message)
 {
-  if (triangles < graph.GetRootTriangles())
+  if (triangles < graph.GetNumberOfRootTriangles())
   {
-    message = "the coarsest cut has " + std::to_string(graph.GetRootTriangles()) + " triangles, more than the " +
-      std::to_string(triangles) + " asked for";
+    message = "the coarsest cut has " + std::to_string(graph.GetNumberOfRootTriangles()) +
+      " triangles, more than the " + std::to_string(triangles) + " asked for";
     return false;
   }
   Settings settings;
   settings.ModelError = -1.0;
-  settings.TriangleBudget = std::max<std::uint64_t>(triangles, 1);
+  settings.TriangleLimit = std::max<std::uint64_t>(triangles, 1);
   Input input;
   input.Graph = &graph;
   cut = this->Extract(input, settings).Cut;
   return true;
 }
 
-bool vtkMTExtraction::ByError(const vtkMTGraph& graph, double error, vtkMTCut& cut, std::string& message)
+bool vtkMTTargetCut::ByError(const vtkMTGraph& graph, double error, vtkMTCut& cut, std::string& message)
 {
   Settings settings;
   settings.ModelError = error;
@@ -446,7 +446,7 @@ bool vtkMTExtraction::ByError(const vtkMTGraph& graph, double error, vtkMTCut& c
   return true;
 }
 
-bool vtkMTExtraction::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkMTCut& cut, std::string& message)
+bool vtkMTTargetCut::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkMTCut& cut, std::string& message)
 {
   if (level >= graph.GetNumberOfLevels())
   {
@@ -465,8 +465,8 @@ bool vtkMTExtraction::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkM
   return true;
 }
 
-double vtkMTExtraction::GetPixelError(
-  const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorChoiceType choice)
+double vtkMTTargetCut::GetPixelError(
+  const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorMetricType choice)
 {
   const vtkMTArcProjector projector(graph.Lattice, view);
   const vtkMTNode& node = graph.Nodes[graph.Arcs[arc].To];
@@ -474,7 +474,7 @@ double vtkMTExtraction::GetPixelError(
   return projector.GetPixelError(depth, choice == EdgeLength ? node.EdgeLength : node.Error);
 }
 
-bool vtkMTExtraction::IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc)
+bool vtkMTTargetCut::IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc)
 {
   return vtkMTArcProjector(graph.Lattice, view).IsVisible(vtkMTArcProjector::Box(graph.Arcs[arc].Box));
 }

@@ -3,7 +3,7 @@
 #include "MTRandomGraph.h"
 #include "MTTestModel.h"
 
-#include "vtkMTExtraction.h"
+#include "vtkMTTargetCut.h"
 #include "vtkMTValidate.h"
 
 #include <gtest/gtest.h>
@@ -13,11 +13,11 @@
 
 namespace
 {
-vtkMTExtraction::Result Extract(const vtkMTGraph& graph, const vtkMTExtraction::Settings& settings,
+vtkMTTargetCut::Result Extract(const vtkMTGraph& graph, const vtkMTTargetCut::Settings& settings,
   const std::vector<unsigned char>* resident = nullptr)
 {
-  vtkMTExtraction extraction;
-  vtkMTExtraction::Input input;
+  vtkMTTargetCut extraction;
+  vtkMTTargetCut::Input input;
   input.Graph = &graph;
   input.Resident = resident;
   return extraction.Extract(input, settings);
@@ -43,7 +43,7 @@ TEST(Extraction, ErrorCutIsTheSmallestOfAllCutsWithThatError)
     cuts += all.size();
     for (const double error : { 5e-5, 1e-4, 3e-4, 1e-3, 3e-3 })
     {
-      vtkMTExtraction::Settings settings;
+      vtkMTTargetCut::Settings settings;
       settings.ModelError = error;
       const auto result = Extract(graph, settings);
       ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
@@ -68,7 +68,7 @@ TEST(Extraction, ArcsAndFiguresAreThoseOfTheCut)
   for (std::uint32_t seed = 0; seed < 20; ++seed)
   {
     const vtkMTGraph graph = MTRandomGraph::Make(seed, 60);
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     settings.ModelError = 1e-3;
     const auto result = Extract(graph, settings);
     std::vector<std::uint32_t> arcs = result.Cut.GetArcs();
@@ -86,7 +86,7 @@ TEST(Extraction, SmallerErrorsRefineTheSameNodesAndMore)
   vtkMTCut last(graph);
   for (const double error : { 1e-1, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 0.0 })
   {
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     settings.ModelError = error;
     const auto result = Extract(graph, settings);
     for (std::uint32_t node = 0; node < graph.Nodes.size(); ++node)
@@ -100,9 +100,9 @@ TEST(Extraction, SmallerErrorsRefineTheSameNodesAndMore)
 TEST(Extraction, EdgeLengthChoiceComparesEdgeLengths)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(3, 50);
-  vtkMTExtraction::Settings settings;
+  vtkMTTargetCut::Settings settings;
   settings.ModelError = 0.01;
-  settings.ErrorChoice = vtkMTExtraction::EdgeLength;
+  settings.ErrorMetric = vtkMTTargetCut::EdgeLength;
   const auto result = Extract(graph, settings);
   ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
   EXPECT_GT(result.NodesRefined, 0u);
@@ -115,17 +115,17 @@ TEST(Extraction, EdgeLengthChoiceComparesEdgeLengths)
 
 TEST(Extraction, ResultDoesNotDependOnEarlierCalls)
 {
-  vtkMTExtraction used;
+  vtkMTTargetCut used;
   const vtkMTGraph graph = MTRandomGraph::Make(5, 100);
   const vtkMTGraph other = MTRandomGraph::Make(6, 150);
   for (const double error : { 1e-4, 1e-2, 1e-3, 0.0, 5e-3 })
   {
     for (const vtkMTGraph* each : { &graph, &other })
     {
-      vtkMTExtraction::Settings settings;
+      vtkMTTargetCut::Settings settings;
       settings.ModelError = error;
-      settings.TriangleBudget = 20000;
-      vtkMTExtraction::Input input;
+      settings.TriangleLimit = 20000;
+      vtkMTTargetCut::Input input;
       input.Graph = each;
       const auto result = used.Extract(input, settings);
       EXPECT_EQ(result.Arcs, Extract(*each, settings).Arcs);
@@ -143,7 +143,7 @@ TEST(Extraction, WhatIsNotResidentIsRequestedAndNotDrawn)
     {
       resident[arc] = graph.Arcs[arc].From == graph.GetSource() || arc % 5 != 0;
     }
-    vtkMTExtraction::Settings settings;
+    vtkMTTargetCut::Settings settings;
     settings.ModelError = 1e-3;
     const auto result = Extract(graph, settings, &resident);
     ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
@@ -164,7 +164,7 @@ TEST(Extraction, WhatIsNotResidentIsRequestedAndNotDrawn)
 TEST(Extraction, LoadingWhatIsRequestedConvergesToTheFullCut)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(11, 100);
-  vtkMTExtraction::Settings settings;
+  vtkMTTargetCut::Settings settings;
   settings.ModelError = 5e-4;
   const auto wanted = Extract(graph, settings);
   std::vector<unsigned char> resident(graph.Arcs.size(), 0);
@@ -196,21 +196,21 @@ TEST(Extraction, ByLevelTakesThatLevelsPatches)
   for (std::uint32_t level = 0; level < graph.GetNumberOfLevels(); ++level)
   {
     vtkMTCut cut(graph);
-    ASSERT_TRUE(vtkMTExtraction::ByLevel(graph, level, cut, message));
+    ASSERT_TRUE(vtkMTTargetCut::ByLevel(graph, level, cut, message));
     for (const std::uint32_t arc : cut.GetArcs())
     {
       EXPECT_EQ(graph.GetLevelOfArc(arc), level);
     }
   }
   vtkMTCut cut(graph);
-  EXPECT_FALSE(vtkMTExtraction::ByLevel(graph, graph.GetNumberOfLevels(), cut, message));
+  EXPECT_FALSE(vtkMTTargetCut::ByLevel(graph, graph.GetNumberOfLevels(), cut, message));
   std::cout << message << "\n";
 }
 
 TEST(Extraction, ByErrorFailsBelowTheFinestLevelsError)
 {
   const vtkMTGraph graph = MTRandomGraph::Make(2, 40);
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   vtkMTCut cut(graph);
   std::string message;
   EXPECT_TRUE(extraction.ByError(graph, 1e-3, cut, message)) << message;
@@ -222,7 +222,7 @@ TEST(Extraction, ByErrorFailsBelowTheFinestLevelsError)
 TEST(Extraction, EmptyGraphGivesAnEmptyCut)
 {
   const vtkMTGraph graph;
-  const auto result = Extract(graph, vtkMTExtraction::Settings());
+  const auto result = Extract(graph, vtkMTTargetCut::Settings());
   EXPECT_TRUE(result.Arcs.empty());
   EXPECT_TRUE(result.Converged);
 }
@@ -232,12 +232,12 @@ TEST(Extraction, CutsOfARealModelConform)
   const auto store = MTTestModel::TubeMaker(MTTestModel::TubeOptions()).Make();
   vtkMTValidate::Borders borders;
   ASSERT_TRUE(borders.Load(*store).IsValid());
-  vtkMTExtraction extraction;
+  vtkMTTargetCut extraction;
   for (const double share : { 1.0, 0.5, 0.2, 0.1, 0.05 })
   {
     vtkMTCut cut(store->GetGraph());
     std::string message;
-    const auto triangles = static_cast<std::uint64_t>(share * store->GetGraph().GetFinestTriangles());
+    const auto triangles = static_cast<std::uint64_t>(share * store->GetGraph().GetNumberOfFinestTriangles());
     if (!extraction.ByTriangles(store->GetGraph(), triangles, cut, message))
     {
       std::cout << message << "\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMTCutKeeper.h"
+#include "vtkMTRendererCuts.h"
 
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
@@ -15,8 +15,8 @@ namespace
 // Clocks are not compared: they do not change what is asked for. Nor are bytes, see FitsAsWell.
 bool IsSame(const vtkMTCutFollower::Settings& a, const vtkMTCutFollower::Settings& b)
 {
-  return a.PixelError == b.PixelError && a.TriangleBudget == b.TriangleBudget && a.TimeBudget == b.TimeBudget &&
-    a.ErrorChoice == b.ErrorChoice && a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling &&
+  return a.PixelError == b.PixelError && a.TriangleLimit == b.TriangleLimit && a.TimeLimit == b.TimeLimit &&
+    a.ErrorMetric == b.ErrorMetric && a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling &&
     a.UploadBudget == b.UploadBudget && a.Prefetch == b.Prefetch && a.Wait == b.Wait;
 }
 
@@ -24,7 +24,7 @@ bool IsSame(const vtkMTCutFollower::Settings& a, const vtkMTCutFollower::Setting
 bool FitsAsWell(const vtkMTGraph& graph, const vtkMTCutFollower::Result& result,
   const vtkMTCutFollower::Settings& before, const vtkMTCutFollower::Settings& now)
 {
-  if (before.ByteBudget == now.ByteBudget && before.BytesPerVertex == now.BytesPerVertex &&
+  if (before.ByteLimit == now.ByteLimit && before.BytesPerVertex == now.BytesPerVertex &&
     before.BytesPerTriangle == now.BytesPerTriangle)
   {
     return true;
@@ -35,11 +35,11 @@ bool FitsAsWell(const vtkMTGraph& graph, const vtkMTCutFollower::Result& result,
     bytes += std::uint64_t(graph.Arcs[arc].Wedges) * now.BytesPerVertex +
       std::uint64_t(graph.Arcs[arc].Triangles) * now.BytesPerTriangle;
   }
-  return result.Converged && (now.ByteBudget == 0 || bytes <= now.ByteBudget);
+  return result.Converged && (now.ByteLimit == 0 || bytes <= now.ByteLimit);
 }
 }
 
-bool vtkMTCutKeeper::SetSource(const std::shared_ptr<const vtkMTPatchSource>& source)
+bool vtkMTRendererCuts::SetSource(const std::shared_ptr<const vtkMTPatchSource>& source)
 {
   if (source == this->Source)
   {
@@ -54,7 +54,7 @@ bool vtkMTCutKeeper::SetSource(const std::shared_ptr<const vtkMTPatchSource>& so
   return true;
 }
 
-vtkMTCutKeeper::Kept& vtkMTCutKeeper::Find(vtkRenderer* renderer)
+vtkMTRendererCuts::Kept& vtkMTRendererCuts::Find(vtkRenderer* renderer)
 {
   for (const Kept& kept : this->All)
   {
@@ -77,7 +77,7 @@ vtkMTCutKeeper::Kept& vtkMTCutKeeper::Find(vtkRenderer* renderer)
   return *found;
 }
 
-const vtkMTCutFollower::Result& vtkMTCutKeeper::Update(
+const vtkMTCutFollower::Result& vtkMTRendererCuts::Update(
   vtkRenderer* renderer, const Frame& frame, const vtkMTPatchCache& cache)
 {
   Kept& kept = this->Find(renderer);
@@ -95,7 +95,7 @@ const vtkMTCutFollower::Result& vtkMTCutKeeper::Update(
   return *kept.Result;
 }
 
-void vtkMTCutKeeper::Compute(Kept& kept, const Frame& frame, bool keepCut, const vtkMTPatchCache& cache)
+void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, const vtkMTPatchCache& cache)
 {
   const auto start = std::chrono::steady_clock::now();
   vtkMTCutFollower::Input input;
@@ -127,7 +127,7 @@ void vtkMTCutKeeper::Compute(Kept& kept, const Frame& frame, bool keepCut, const
   this->CutTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void vtkMTCutKeeper::Post(vtkMTPatchCache& cache)
+void vtkMTRendererCuts::Post(vtkMTPatchCache& cache)
 {
   for (const void* view : this->Gone)
   {
@@ -144,7 +144,7 @@ void vtkMTCutKeeper::Post(vtkMTPatchCache& cache)
   }
 }
 
-void vtkMTCutKeeper::Invalidate()
+void vtkMTRendererCuts::Invalidate()
 {
   for (Kept& kept : this->All)
   {
@@ -152,7 +152,7 @@ void vtkMTCutKeeper::Invalidate()
   }
 }
 
-bool vtkMTCutKeeper::MarkUnreadable(std::uint32_t arc)
+bool vtkMTRendererCuts::MarkUnreadable(std::uint32_t arc)
 {
   if (!this->Resident[arc])
   {
