@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bmtCommon.h"
 
+#include "vtkMTFileAccess.h"
+
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -17,7 +19,6 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include <unistd.h>
@@ -284,37 +285,19 @@ void bmtFinishOutput()
 
 void bmtRequireReadable(const std::string& path)
 {
-  std::error_code code;
-  if (!std::filesystem::exists(path, code))
+  std::string error;
+  if (!vtkMTFileAccess::CanRead(path, error))
   {
-    throw bmtError(path + ": no such file; check the name");
-  }
-  if (std::filesystem::is_directory(path, code))
-  {
-    throw bmtError(path + ": is a folder; name a file");
-  }
-  if (!std::ifstream(path))
-  {
-    throw bmtError(path + ": cannot be opened for reading; check its permissions");
+    throw bmtError(error);
   }
 }
 
 void bmtRequireWritable(const std::string& path)
 {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code))
+  std::string error;
+  if (!vtkMTFileAccess::CanWrite(path, error))
   {
-    throw bmtError(path + ": is a folder; name a file to write");
-  }
-  std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  folder = folder.empty() ? "." : folder;
-  if (!std::filesystem::is_directory(folder, code))
-  {
-    throw bmtError(path + ": its folder does not exist; make it first");
-  }
-  if (access(folder.c_str(), W_OK) != 0)
-  {
-    throw bmtError(path + ": its folder cannot be written to; check its permissions");
+    throw bmtError(error);
   }
 }
 
