@@ -144,7 +144,7 @@ public:
     this->Bytes.reset();
     vtkNew<vtkPolyData> points;
     vtkNew<vtkPolyData> cells;
-    CellCorners corners;
+    vtkMTCellCorners corners;
     const bool isRead =
       this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners) && this->Rewind();
     this->Arrays = GetArraysOf(points, cells);
@@ -310,7 +310,7 @@ private:
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* piece, vtkMTCellCorners& corners) override
   {
     vtkNew<vtkIntArray> materials;
     vtkNew<vtkIntArray> groups;

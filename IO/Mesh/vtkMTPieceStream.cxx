@@ -273,7 +273,7 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
     }
     const std::uint64_t count = std::min(PieceSize, this->Cells - this->CellsRead);
     this->Piece->Initialize();
-    this->Corners = CellCorners();
+    this->Corners = vtkMTCellCorners();
     if (!this->ReadCells(count, this->Piece, this->Corners))
     {
       return false;

@@ -3,6 +3,7 @@
 #ifndef vtkMTPieceStream_h
 #define vtkMTPieceStream_h
 
+#include "vtkMTCellCorners.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTSpoolLookup.h"
 #include "vtkMTTriangleStream.h"
@@ -34,13 +35,6 @@ public:
 protected:
   static constexpr std::uint64_t PieceSize = 65535; // a multiple of three
 
-  /// The corners of cells, one cell behind the other: points of the whole file.
-  struct CellCorners
-  {
-    std::vector<std::uint64_t> Points;
-    std::vector<std::size_t> Ends; // of each cell in Points
-  };
-
   /// store: for what is looked up; without one there can be no polygons. memory: bytes, for that.
   explicit vtkMTPieceStream(vtkMTSpoolStore* store = nullptr, std::size_t memory = 0);
 
@@ -48,7 +42,7 @@ protected:
   /// The next `count` points as a mesh, or cells with the mesh's cell arrays; the mesh's own cells do not matter.
   virtual bool RewindFile() = 0;
   virtual bool ReadPoints(std::uint64_t count, vtkPolyData* piece) = 0;
-  virtual bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) = 0;
+  virtual bool ReadCells(std::uint64_t count, vtkPolyData* piece, vtkMTCellCorners& corners) = 0;
   ///@}
 
   ///@{
@@ -85,7 +79,7 @@ private:
   std::unique_ptr<vtkMTSpoolLookup> Places; // of the corners of all polygons; null: there are none
   vtkNew<vtkPolyData> Piece;
   std::unique_ptr<vtkMTPolyDataStream> Stream; // of the piece
-  CellCorners Corners;
+  vtkMTCellCorners Corners;
   std::uint64_t PointsRead = 0; // all pieces together
   std::uint64_t CellsRead = 0;  // all pieces together
   std::uint64_t FirstOfPiece = 0;

@@ -46,7 +46,7 @@ protected:
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData*, CellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData*, vtkMTCellCorners& corners) override
   {
     for (std::uint64_t t = 0; t < count; ++t)
     {

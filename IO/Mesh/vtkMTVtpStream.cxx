@@ -98,7 +98,7 @@ public:
     }
     vtkNew<vtkPolyData> points;
     vtkNew<vtkPolyData> cells;
-    CellCorners corners;
+    vtkMTCellCorners corners;
     const bool isRead =
       this->HasLastPoint() && this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners);
     this->Arrays = GetArraysOf(points, cells);
@@ -181,10 +181,10 @@ private:
   bool LookAtPolygons()
   {
     this->RewindFile();
-    CellCorners corners;
+    vtkMTCellCorners corners;
     for (std::uint64_t read = 0; read < this->Polygons; read += PieceSize)
     {
-      corners = CellCorners();
+      corners = vtkMTCellCorners();
       if (!this->ReadPolygons(std::min(PieceSize, this->Polygons - read), corners))
       {
         return false;
@@ -215,7 +215,7 @@ private:
     return true;
   }
 
-  bool ReadPolygons(std::uint64_t count, CellCorners& corners)
+  bool ReadPolygons(std::uint64_t count, vtkMTCellCorners& corners)
   {
     vtkNew<vtkIdTypeArray> ends;
     vtkNew<vtkIdTypeArray> points;
@@ -271,7 +271,7 @@ private:
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* piece, vtkMTCellCorners& corners) override
   {
     // The values of vertices and lines come first.
     return this->OfCells.Read(
