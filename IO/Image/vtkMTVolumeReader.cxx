@@ -35,7 +35,7 @@ using namespace vtkMTVolumeFormat;
 bool ReadUnnamed(const std::string& path, double bytes, vtkImageData* output, std::string& error)
 {
   vtkMTErrorCollector errors;
-  errors.ObserveOutputWindow(true); // several of these readers only warn of files that are cut off
+  errors.ObserveOutputWindow(true); // several of these readers only warn of files that are truncated
   const vtkSmartPointer<vtkAlgorithm> reader = MakeReader(path, errors);
   errors.Observe(reader.Get());
   reader->UpdateInformation();
@@ -133,7 +133,7 @@ public:
     extent[4] = first;
     extent[5] = last;
     vtkMTErrorCollector warnings;
-    warnings.ObserveOutputWindow(true); // of a file that is cut off
+    warnings.ObserveOutputWindow(true); // of a file that is truncated
     this->Reader->UpdateExtent(extent.data());
     vtkImageData* image = vtkImageData::SafeDownCast(this->Reader->GetOutputDataObject(0));
     const bool isBad = this->Errors.HasErrors() || warnings.HasErrors();

@@ -102,7 +102,7 @@ bool vtkMTPlyRows::BeginElement(const vtkMTPlyElement& element)
   if (smallest > 0 && element.Count > left / smallest)
   {
     return this->Fail("the header announces " + std::to_string(element.Count) + " rows, for which the " +
-      std::to_string(this->Stream.GetLeft()) + " bytes that are left do not suffice; the file is cut off");
+      std::to_string(this->Stream.GetLeft()) + " bytes that are left do not suffice; the file is truncated");
   }
   return true;
 }

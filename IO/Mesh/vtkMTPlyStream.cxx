@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPlyStream.h"
 
+#include "vtkMTChunkStream.h"
 #include "vtkMTFieldNames.h"
 #include "vtkMTFileByteSource.h"
-#include "vtkMTPieceStream.h"
 #include "vtkMTPlyFaces.h"
 #include "vtkMTPlyHeader.h"
 #include "vtkMTPlyRows.h"
@@ -18,11 +18,11 @@
 
 namespace
 {
-class Stream : public vtkMTPieceStream
+class Stream : public vtkMTChunkStream
 {
 public:
   Stream(std::unique_ptr<vtkMTFileByteSource> bytes, vtkMTSpoolStore* store, std::size_t memory)
-    : vtkMTPieceStream(store, memory)
+    : vtkMTChunkStream(store, memory)
     , File(std::move(bytes))
   {
   }
@@ -73,12 +73,12 @@ private:
     }
     const vtkNew<vtkPolyData> values;
     vtkMTCellCorners corners;
-    for (std::uint64_t read = 0; read < this->Face->Count; read += PieceSize)
+    for (std::uint64_t read = 0; read < this->Face->Count; read += ChunkSize)
     {
       corners.Points.clear();
       corners.Ends.clear();
       values->Initialize();
-      if (!this->ReadCells(std::min(PieceSize, this->Face->Count - read), values, corners))
+      if (!this->ReadCells(std::min(ChunkSize, this->Face->Count - read), values, corners))
       {
         return false;
       }
@@ -109,15 +109,15 @@ private:
 
   bool FailInRow() { return this->Fail(this->File->GetName() + ": " + this->Rows->GetError()); }
 
-  bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
+  bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) override
   {
-    return vtkMTPlyVertices(*this->Vertex, count, piece).Read(*this->Rows) || this->FailInRow();
+    return vtkMTPlyVertices(*this->Vertex, count, chunk).Read(*this->Rows) || this->FailInRow();
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData* piece, vtkMTCellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* chunk, vtkMTCellCorners& corners) override
   {
     return (this->IsAtFaces || (this->IsAtFaces = this->Rows->BeginElement(*this->Face))) &&
-        vtkMTPlyFaces(*this->Face, count, this->Points, piece->GetCellData()).Read(*this->Rows, corners)
+        vtkMTPlyFaces(*this->Face, count, this->Points, chunk->GetCellData()).Read(*this->Rows, corners)
       ? true
       : this->FailInRow();
   }
