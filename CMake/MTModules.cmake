@@ -5,7 +5,8 @@ set(mt_module_files)
 set(mt_present)
 foreach (folder IN ITEMS
     Module
-    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification IO/Core Rendering/Core
+    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
+    Rendering/Core
     IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2)
   if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
     continue ()

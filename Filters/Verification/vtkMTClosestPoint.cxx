@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtClosestPoint.h"
-
-#include "bmtCommon.h"
+#include "vtkMTClosestPoint.h"
 
 #include "vtkSMPTools.h"
 
@@ -13,30 +11,31 @@ namespace
 constexpr std::size_t LeafSize = 6;
 // Queries of one block share hints; fixed, so that results cannot depend on how blocks go to threads.
 constexpr std::size_t BlockSize = 512;
-constexpr std::size_t BlocksPerTurn = 512;
+// Between two calls of progress: a tenth of a second or less, so that it also serves to stop.
+constexpr std::size_t BlocksPerTurn = 128;
 
-bmtPoint Subtract(const bmtPoint& a, const bmtPoint& b)
+vtkMTRealPoint Subtract(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-double Dot(const bmtPoint& a, const bmtPoint& b)
+double Dot(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 // a - t * b
-bmtPoint SubtractScaled(const bmtPoint& a, double t, const bmtPoint& b)
+vtkMTRealPoint SubtractScaled(const vtkMTRealPoint& a, double t, const vtkMTRealPoint& b)
 {
   return { a[0] - t * b[0], a[1] - t * b[1], a[2] - t * b[2] };
 }
 
 // p and q are relative to one end of the segment, q is its other end.
-double SegmentDistance2(const bmtPoint& p, const bmtPoint& q)
+double SegmentDistance2(const vtkMTRealPoint& p, const vtkMTRealPoint& q)
 {
   const double length2 = Dot(q, q);
   const double t = length2 > 0.0 ? std::clamp(Dot(p, q) / length2, 0.0, 1.0) : 0.0;
-  const bmtPoint rest = SubtractScaled(p, t, q);
+  const vtkMTRealPoint rest = SubtractScaled(p, t, q);
   return Dot(rest, rest);
 }
 
@@ -50,7 +49,7 @@ bool IsInside(double t, double s, double tc)
   return t <= tc ? t >= s * tc : 1.0 - t >= s * (1.0 - tc);
 }
 
-double BoxDistance2(const bmtPoint& x, const bmtBounds& box)
+double BoxDistance2(const vtkMTRealPoint& x, const vtkMTRealBounds& box)
 {
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -62,7 +61,7 @@ double BoxDistance2(const bmtPoint& x, const bmtBounds& box)
 }
 }
 
-bmtClosestPoint::bmtClosestPoint(const bmtSurface& surface)
+vtkMTClosestPoint::vtkMTClosestPoint(const vtkMTSampledSurface& surface)
   : Surface(surface)
   , Pieces(surface)
   , Order(Pieces.List())
@@ -77,24 +76,24 @@ bmtClosestPoint::bmtClosestPoint(const bmtSurface& surface)
 }
 
 // Where the triangles of a node begin in Order; those of the next node are behind them.
-std::size_t bmtClosestPoint::Begin(int depth, std::size_t node) const
+std::size_t vtkMTClosestPoint::Begin(int depth, std::size_t node) const
 {
   return (this->Order.size() * node) >> depth;
 }
 
-int bmtClosestPoint::GetLongestAxis(const std::uint32_t* first, const std::uint32_t* last) const
+int vtkMTClosestPoint::GetLongestAxis(const std::uint32_t* first, const std::uint32_t* last) const
 {
-  bmtBounds bounds;
+  vtkMTRealBounds bounds;
   for (const std::uint32_t* i = first; i != last; ++i)
   {
     bounds.Add(
       { this->Pieces.GetBarycentre(*i, 0), this->Pieces.GetBarycentre(*i, 1), this->Pieces.GetBarycentre(*i, 2) });
   }
-  const bmtPoint size = Subtract(bounds.Maximum, bounds.Minimum);
+  const vtkMTRealPoint size = Subtract(bounds.Maximum, bounds.Minimum);
   return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
 }
 
-void bmtClosestPoint::Split()
+void vtkMTClosestPoint::Split()
 {
   for (int depth = 0; depth < this->Depth; ++depth)
   {
@@ -119,7 +118,7 @@ void bmtClosestPoint::Split()
   }
 }
 
-void bmtClosestPoint::Fit()
+void vtkMTClosestPoint::Fit()
 {
   const std::size_t firstLeaf = (std::size_t(1) << this->Depth) - 1;
   vtkSMPTools::For(0, vtkIdType(1) << this->Depth,
@@ -151,7 +150,7 @@ void bmtClosestPoint::Fit()
 
 // Thousands of equal triangles have one barycentre, so that no box tells them apart: they lie together in Order, in
 // ascending order of leaves, and the first leaf of them stands for all.
-bool bmtClosestPoint::IsCopyOfPreviousLeaf(std::size_t leaf) const
+bool vtkMTClosestPoint::IsCopyOfPreviousLeaf(std::size_t leaf) const
 {
   if (leaf == 0)
   {
@@ -163,20 +162,21 @@ bool bmtClosestPoint::IsCopyOfPreviousLeaf(std::size_t leaf) const
     this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin(this->Depth, leaf + 1)), isCopy);
 }
 
-double bmtClosestPoint::GetDistance2(const bmtPoint& x, const bmtPoint& a, const bmtPoint& b, const bmtPoint& c)
+double vtkMTClosestPoint::GetDistance2(
+  const vtkMTRealPoint& x, const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c)
 {
   // Name the corners so that ab is the longest edge.
-  const bmtPoint ab = Subtract(b, a);
-  const bmtPoint bc = Subtract(c, b);
-  const bmtPoint ca = Subtract(a, c);
+  const vtkMTRealPoint ab = Subtract(b, a);
+  const vtkMTRealPoint bc = Subtract(c, b);
+  const vtkMTRealPoint ca = Subtract(a, c);
   const double lengths[3] = { Dot(ab, ab), Dot(bc, bc), Dot(ca, ca) };
-  const bmtPoint* corners[5] = { &a, &b, &c, &a, &b };
+  const vtkMTRealPoint* corners[5] = { &a, &b, &c, &a, &b };
   const auto longest = std::max_element(lengths, lengths + 3) - lengths;
-  const bmtPoint& origin = *corners[longest];
+  const vtkMTRealPoint& origin = *corners[longest];
 
-  const bmtPoint p = Subtract(x, origin);
-  const bmtPoint e = Subtract(*corners[longest + 1], origin);
-  const bmtPoint q = Subtract(*corners[longest + 2], origin);
+  const vtkMTRealPoint p = Subtract(x, origin);
+  const vtkMTRealPoint e = Subtract(*corners[longest + 1], origin);
+  const vtkMTRealPoint q = Subtract(*corners[longest + 2], origin);
   double best = std::min({ SegmentDistance2(p, e), SegmentDistance2(p, q),
     SegmentDistance2(Subtract(x, *corners[longest + 1]), Subtract(*corners[longest + 2], *corners[longest + 1])) });
   if (lengths[longest] <= 0.0)
@@ -186,28 +186,28 @@ double bmtClosestPoint::GetDistance2(const bmtPoint& x, const bmtPoint& a, const
   // What is left of p and q across the edge; the triangle's plane is spanned by e and w.
   const double tp = Dot(p, e) / lengths[longest];
   const double tq = Dot(q, e) / lengths[longest];
-  const bmtPoint r = SubtractScaled(p, tp, e);
-  const bmtPoint w = SubtractScaled(q, tq, e);
+  const vtkMTRealPoint r = SubtractScaled(p, tp, e);
+  const vtkMTRealPoint w = SubtractScaled(q, tq, e);
   const double height2 = Dot(w, w);
   if (height2 > 0.0)
   {
     const double s = Dot(r, w) / height2;
     if (IsInside(tp, s, tq))
     {
-      const bmtPoint rest = SubtractScaled(r, s, w);
+      const vtkMTRealPoint rest = SubtractScaled(r, s, w);
       best = std::min(best, Dot(rest, rest));
     }
   }
   return best;
 }
 
-double bmtClosestPoint::GetTriangleDistance2(const bmtPoint& x, std::uint32_t triangle) const
+double vtkMTClosestPoint::GetTriangleDistance2(const vtkMTRealPoint& x, std::uint32_t triangle) const
 {
-  const bmtTriangle& t = this->Surface.Triangles[triangle];
+  const vtkMTTriangle& t = this->Surface.Triangles[triangle];
   return GetDistance2(x, this->Surface.Points[t[0]], this->Surface.Points[t[1]], this->Surface.Points[t[2]]);
 }
 
-void bmtClosestPoint::SearchLeaf(const bmtPoint& x, std::size_t leaf, Result& best) const
+void vtkMTClosestPoint::SearchLeaf(const vtkMTRealPoint& x, std::size_t leaf, Result& best) const
 {
   for (std::size_t i = this->Begin(this->Depth, leaf); i < this->Begin(this->Depth, leaf + 1); ++i)
   {
@@ -220,7 +220,7 @@ void bmtClosestPoint::SearchLeaf(const bmtPoint& x, std::size_t leaf, Result& be
   }
 }
 
-bmtClosestPoint::Result bmtClosestPoint::Find(const bmtPoint& x, std::uint32_t hint) const
+vtkMTClosestPoint::Result vtkMTClosestPoint::Find(const vtkMTRealPoint& x, std::uint32_t hint) const
 {
   Result best;
   if (this->Order.empty())
@@ -239,7 +239,7 @@ bmtClosestPoint::Result bmtClosestPoint::Find(const bmtPoint& x, std::uint32_t h
   };
   Entry stack[128];
   int top = 0;
-  const bmtPoint turned = this->Pieces.GetTurn().Apply(x);
+  const vtkMTRealPoint turned = this->Pieces.GetAxes().Apply(x);
   stack[top++] = { 0, BoxDistance2(turned, this->Boxes[0]) };
   while (top > 0)
   {
@@ -265,8 +265,8 @@ bmtClosestPoint::Result bmtClosestPoint::Find(const bmtPoint& x, std::uint32_t h
   return best;
 }
 
-void bmtClosestPoint::Measure(const std::vector<bmtPoint>& points, std::vector<double>& distances,
-  std::vector<std::uint32_t>* nearest, const char* progress) const
+bool vtkMTClosestPoint::Measure(const std::vector<vtkMTRealPoint>& points, std::vector<double>& distances,
+  std::vector<std::uint32_t>* nearest, const Progress& progress) const
 {
   distances.assign(points.size(), 0.0);
   if (nearest)
@@ -275,7 +275,7 @@ void bmtClosestPoint::Measure(const std::vector<bmtPoint>& points, std::vector<d
   }
   const auto measureBlocks = [&](vtkIdType begin, vtkIdType end)
   {
-    for (vtkIdType block = begin; block < end && !bmtIsInterrupted(); ++block)
+    for (vtkIdType block = begin; block < end; ++block)
     {
       std::uint32_t hint = NoTriangle;
       const std::size_t last = std::min<std::size_t>(points.size(), (block + 1) * BlockSize);
@@ -292,12 +292,14 @@ void bmtClosestPoint::Measure(const std::vector<bmtPoint>& points, std::vector<d
     }
   };
   const std::size_t blocks = (points.size() + BlockSize - 1) / BlockSize;
-  bmtProgress report(progress);
   for (std::size_t first = 0; first < blocks; first += BlocksPerTurn)
   {
     const std::size_t last = std::min(blocks, first + BlocksPerTurn);
     vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last), 4, measureBlocks);
-    bmtThrowIfInterrupted();
-    report.Update(static_cast<double>(last) / static_cast<double>(blocks));
+    if (!progress(static_cast<double>(last) / static_cast<double>(blocks)))
+    {
+      return false;
+    }
   }
+  return true;
 }

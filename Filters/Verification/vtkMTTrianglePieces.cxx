@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtSurfacePieces.h"
+#include "vtkMTTrianglePieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace
 constexpr double SizesPerThreshold = 4.0;
 constexpr std::size_t MostPiecesPerTriangle = 3;
 
-double GetDistance2(const bmtPoint& a, const bmtPoint& b)
+double GetDistance2(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
 {
   const double x = a[0] - b[0];
   const double y = a[1] - b[1];
@@ -18,7 +18,7 @@ double GetDistance2(const bmtPoint& a, const bmtPoint& b)
 }
 
 // The corner at which the longest edge begins.
-int FindLongest(const bmtPoint (&p)[3], double& length2)
+int FindLongest(const vtkMTRealPoint (&p)[3], double& length2)
 {
   const double lengths2[3] = { GetDistance2(p[0], p[1]), GetDistance2(p[1], p[2]), GetDistance2(p[2], p[0]) };
   const int longest = static_cast<int>(std::max_element(lengths2, lengths2 + 3) - lengths2);
@@ -27,9 +27,9 @@ int FindLongest(const bmtPoint (&p)[3], double& length2)
 }
 }
 
-bmtSurfacePieces::bmtSurfacePieces(const bmtSurface& surface)
+vtkMTTrianglePieces::vtkMTTrianglePieces(const vtkMTSampledSurface& surface)
   : Surface(surface)
-  , Turn(bmtTurn::Best(surface))
+  , Axes(vtkMTPrincipalAxes::Best(surface))
   , Whole(surface.Triangles.size())
 {
   const double longest = this->GetLongest();
@@ -40,14 +40,14 @@ bmtSurfacePieces::bmtSurfacePieces(const bmtSurface& surface)
   {
     return;
   }
-  while (this->CountCuts(threshold) > (MostPiecesPerTriangle - 1) * this->Surface.Triangles.size())
+  while (this->CountDivisions(threshold) > (MostPiecesPerTriangle - 1) * this->Surface.Triangles.size())
   {
     threshold *= 2.0;
   }
-  this->Cut(threshold);
+  this->Divide(threshold);
 }
 
-double bmtSurfacePieces::GetMeanSize() const
+double vtkMTTrianglePieces::GetMeanSize() const
 {
   double sum = 0.0;
   for (std::size_t t = 0; t < this->Surface.Triangles.size(); ++t)
@@ -57,7 +57,7 @@ double bmtSurfacePieces::GetMeanSize() const
   return sum / static_cast<double>(std::max<std::size_t>(1, this->Surface.Triangles.size()));
 }
 
-double bmtSurfacePieces::GetLongest() const
+double vtkMTTrianglePieces::GetLongest() const
 {
   double longest2 = 0.0;
   for (std::uint32_t t = 0; t < this->Surface.Triangles.size(); ++t)
@@ -70,7 +70,7 @@ double bmtSurfacePieces::GetLongest() const
 }
 
 template <typename Visitor>
-void bmtSurfacePieces::VisitParts(const Corners& corners, double threshold2, Visitor&& visitor)
+void vtkMTTrianglePieces::VisitParts(const Corners& corners, double threshold2, Visitor&& visitor)
 {
   std::vector<Corners> stack{ corners };
   while (!stack.empty())
@@ -87,17 +87,17 @@ void bmtSurfacePieces::VisitParts(const Corners& corners, double threshold2, Vis
       }
       continue;
     }
-    const bmtPoint& a = c.P[i];
-    const bmtPoint& b = c.P[(i + 1) % 3];
-    const bmtPoint& opposite = c.P[(i + 2) % 3];
-    const bmtPoint middle = { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };
+    const vtkMTRealPoint& a = c.P[i];
+    const vtkMTRealPoint& b = c.P[(i + 1) % 3];
+    const vtkMTRealPoint& opposite = c.P[(i + 2) % 3];
+    const vtkMTRealPoint middle = { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };
     stack.push_back({ { middle, b, opposite } });
     stack.push_back({ { a, middle, opposite } });
   }
 }
 
 // How many pieces more than triangles; no farther than is too many.
-std::size_t bmtSurfacePieces::CountCuts(double threshold) const
+std::size_t vtkMTTrianglePieces::CountDivisions(double threshold) const
 {
   const std::size_t most = (MostPiecesPerTriangle - 1) * this->Surface.Triangles.size();
   std::size_t parts = 0;
@@ -110,10 +110,10 @@ std::size_t bmtSurfacePieces::CountCuts(double threshold) const
   return parts - triangles;
 }
 
-void bmtSurfacePieces::Cut(double threshold)
+void vtkMTTrianglePieces::Divide(double threshold)
 {
   const double threshold2 = threshold * threshold;
-  this->IsCut.assign(this->Surface.Triangles.size(), false);
+  this->IsDivided.assign(this->Surface.Triangles.size(), false);
   for (std::uint32_t t = 0; t < this->Surface.Triangles.size(); ++t)
   {
     const Corners corners = this->GetCorners(t);
@@ -123,7 +123,7 @@ void bmtSurfacePieces::Cut(double threshold)
     {
       continue;
     }
-    this->IsCut[t] = true;
+    this->IsDivided[t] = true;
     VisitParts(corners, threshold2,
       [&](const Corners& part)
       {
@@ -134,13 +134,13 @@ void bmtSurfacePieces::Cut(double threshold)
   }
 }
 
-std::vector<std::uint32_t> bmtSurfacePieces::List() const
+std::vector<std::uint32_t> vtkMTTrianglePieces::List() const
 {
   std::vector<std::uint32_t> pieces;
   pieces.reserve(this->Whole + this->Parts.size());
   for (std::uint32_t t = 0; t < this->Whole; ++t)
   {
-    if (this->IsCut.empty() || !this->IsCut[t])
+    if (this->IsDivided.empty() || !this->IsDivided[t])
     {
       pieces.push_back(t);
     }
@@ -152,49 +152,49 @@ std::vector<std::uint32_t> bmtSurfacePieces::List() const
   return pieces;
 }
 
-std::uint32_t bmtSurfacePieces::GetTriangle(std::uint32_t piece) const
+std::uint32_t vtkMTTrianglePieces::GetTriangle(std::uint32_t piece) const
 {
   return piece < this->Whole ? piece : this->PartOwners[piece - this->Whole];
 }
 
-bmtSurfacePieces::Corners bmtSurfacePieces::GetCorners(std::uint32_t piece) const
+vtkMTTrianglePieces::Corners vtkMTTrianglePieces::GetCorners(std::uint32_t piece) const
 {
   if (piece >= this->Whole)
   {
     return this->Parts[piece - this->Whole];
   }
-  const bmtTriangle& t = this->Surface.Triangles[piece];
-  return { { this->Turn.Apply(this->Surface.Points[t[0]]), this->Turn.Apply(this->Surface.Points[t[1]]),
-    this->Turn.Apply(this->Surface.Points[t[2]]) } };
+  const vtkMTTriangle& t = this->Surface.Triangles[piece];
+  return { { this->Axes.Apply(this->Surface.Points[t[0]]), this->Axes.Apply(this->Surface.Points[t[1]]),
+    this->Axes.Apply(this->Surface.Points[t[2]]) } };
 }
 
-bmtBounds bmtSurfacePieces::GetBounds(std::uint32_t piece) const
+vtkMTRealBounds vtkMTTrianglePieces::GetBounds(std::uint32_t piece) const
 {
-  bmtBounds bounds;
-  for (const bmtPoint& p : this->GetCorners(piece).P)
+  vtkMTRealBounds bounds;
+  for (const vtkMTRealPoint& p : this->GetCorners(piece).P)
   {
     bounds.Add(p);
   }
-  if (piece >= this->Whole || !this->Turn.IsNone())
+  if (piece >= this->Whole || !this->Axes.IsNone())
   {
     // What is turned, and the middles of edges, are rounded: what lies between the boxes must not be missed.
     for (int axis = 0; axis < 3; ++axis)
     {
       const double most = std::max(std::abs(bounds.Minimum[axis]), std::abs(bounds.Maximum[axis]));
-      bounds.Minimum[axis] -= 4.0 * bmtTurn::Rounding * std::max(1.0, most);
-      bounds.Maximum[axis] += 4.0 * bmtTurn::Rounding * std::max(1.0, most);
+      bounds.Minimum[axis] -= 4.0 * vtkMTPrincipalAxes::Rounding * std::max(1.0, most);
+      bounds.Maximum[axis] += 4.0 * vtkMTPrincipalAxes::Rounding * std::max(1.0, most);
     }
   }
   return bounds;
 }
 
-double bmtSurfacePieces::GetBarycentre(std::uint32_t piece, int axis) const
+double vtkMTTrianglePieces::GetBarycentre(std::uint32_t piece, int axis) const
 {
   const Corners c = this->GetCorners(piece);
   return c.P[0][axis] + c.P[1][axis] + c.P[2][axis];
 }
 
-bool bmtSurfacePieces::AreEqual(std::uint32_t a, std::uint32_t b) const
+bool vtkMTTrianglePieces::AreEqual(std::uint32_t a, std::uint32_t b) const
 {
   const auto haveSameCorners = [this](std::uint32_t i, std::uint32_t j)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtSampling.h"
+#include "vtkMTSurfaceSampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,18 @@ std::uint64_t Mix(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-bmtPoint PointInTriangle(const bmtSurface& surface, std::uint32_t triangle, double u, double v)
+// A uniform number in [0, 1) for each pair.
+double Uniform(std::uint64_t seed, std::uint64_t index)
 {
-  const bmtTriangle& t = surface.Triangles[triangle];
+  return static_cast<double>(Mix(Mix(seed) + index) >> 11) * 0x1p-53;
+}
+
+vtkMTRealPoint PointInTriangle(const vtkMTSampledSurface& surface, std::uint32_t triangle, double u, double v)
+{
+  const vtkMTTriangle& t = surface.Triangles[triangle];
   const double root = std::sqrt(u);
   const double weights[3] = { 1.0 - root, root * (1.0 - v), root * v };
-  bmtPoint x{ 0.0, 0.0, 0.0 };
+  vtkMTRealPoint x{ 0.0, 0.0, 0.0 };
   for (int corner = 0; corner < 3; ++corner)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -32,12 +38,7 @@ bmtPoint PointInTriangle(const bmtSurface& surface, std::uint32_t triangle, doub
 }
 }
 
-double bmtUniform(std::uint64_t seed, std::uint64_t index)
-{
-  return static_cast<double>(Mix(Mix(seed) + index) >> 11) * 0x1p-53;
-}
-
-bmtSampler::bmtSampler(const bmtSurface& surface, std::size_t count, std::uint64_t seed)
+vtkMTSurfaceSampler::vtkMTSurfaceSampler(const vtkMTSampledSurface& surface, std::size_t count, std::uint64_t seed)
   : Surface(surface)
   , Areas(surface.Triangles.size() + 1, 0.0)
   , Count(count)
@@ -53,18 +54,18 @@ bmtSampler::bmtSampler(const bmtSurface& surface, std::size_t count, std::uint64
   }
 }
 
-bmtSamples bmtSampler::Take(std::size_t first, std::size_t last) const
+vtkMTSurfaceSampler::Samples vtkMTSurfaceSampler::Take(std::size_t first, std::size_t last) const
 {
-  bmtSamples samples;
+  Samples samples;
   last = std::min(last, this->Count);
   for (std::size_t k = first; k < last; ++k)
   {
-    const double at = (static_cast<double>(k) + bmtUniform(this->Seed, 3 * k)) / static_cast<double>(this->Count);
+    const double at = (static_cast<double>(k) + Uniform(this->Seed, 3 * k)) / static_cast<double>(this->Count);
     // The triangle in whose share of the area the place falls; never one without area.
     const auto above = std::upper_bound(this->Areas.begin() + 1, this->Areas.end() - 1, at * this->Areas.back());
     const auto triangle = static_cast<std::uint32_t>(above - this->Areas.begin() - 1);
     samples.Points.push_back(
-      PointInTriangle(this->Surface, triangle, bmtUniform(this->Seed, 3 * k + 1), bmtUniform(this->Seed, 3 * k + 2)));
+      PointInTriangle(this->Surface, triangle, Uniform(this->Seed, 3 * k + 1), Uniform(this->Seed, 3 * k + 2)));
     samples.Triangles.push_back(triangle);
   }
   return samples;

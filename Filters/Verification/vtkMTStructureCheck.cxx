@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtStructure.h"
+#include "vtkMTStructureCheck.h"
 
 #include "vtkMTCut.h"
 #include "vtkMTGraph.h"
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace
@@ -17,7 +16,7 @@ namespace
 // Spheres are nested in double arithmetic: this much of the coordinates' magnitude is rounding.
 constexpr double Rounding = 1e-12;
 
-void Append(bmtCheck& check, const vtkMTValidate::Result& result)
+void Append(vtkMTVerificationCheck& check, const vtkMTValidate::Result& result)
 {
   check.Tested += result.Tested;
   check.Violations += result.Violations;
@@ -83,7 +82,7 @@ public:
     this->Test(outside[1], to.Radius * (1.0 + Rounding) + this->Slack, "patch in its fragment's sphere", arc);
   }
 
-  bmtCheck Check;
+  vtkMTVerificationCheck Check;
 
 private:
   void Test(double inner, double outer, const char* what, std::size_t arc)
@@ -105,23 +104,25 @@ private:
 };
 }
 
-std::vector<bmtCheck> bmtCheckStructure(const vtkMTPatchSource& source)
+bool vtkMTStructureCheck::TestParts(const vtkMTPatchSource& source, const vtkMTVerificationProgress& progress,
+  std::vector<vtkMTVerificationCheck>& checks)
 {
   const vtkMTGraph& graph = source.GetGraph();
-  bmtCheck dag("graph");
+  vtkMTVerificationCheck dag("graph");
   Append(dag, vtkMTValidate::Graph(graph));
-  bmtCheck checksums("checksums");
-  bmtCheck patches("patches");
+  vtkMTVerificationCheck checksums("checksums");
+  vtkMTVerificationCheck patches("patches");
   Nesting nesting(graph);
   nesting.TestArcs();
 
-  bmtProgress progress("reading patches");
   vtkMTPatch patch;
   std::string error;
   for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
   {
-    bmtThrowIfInterrupted();
-    progress.Update(static_cast<double>(arc) / static_cast<double>(graph.Arcs.size()));
+    if (!progress("reading patches", static_cast<double>(arc) / static_cast<double>(graph.Arcs.size())))
+    {
+      return false;
+    }
     ++checksums.Tested;
     if (!source.ReadPatch(arc, nullptr, patch, error))
     {
@@ -140,20 +141,19 @@ std::vector<bmtCheck> bmtCheckStructure(const vtkMTPatchSource& source)
       checksums.Fail(error);
     }
   }
-  return { checksums, dag, patches, nesting.Check };
+  checks.insert(checks.end(), { checksums, dag, patches, nesting.Check });
+  return true;
 }
 
-bmtCheck bmtCheckPasting(const vtkMTPatchSource& source, vtkMTValidate::Borders& borders)
+vtkMTVerificationCheck vtkMTStructureCheck::TestPasting(const vtkMTPatchSource& source, vtkMTValidate::Borders& borders)
 {
-  bmtCheck check("pasting");
+  vtkMTVerificationCheck check("pasting");
   Append(check, borders.Load(source));
   return check;
 }
 
 namespace
 {
-// Levels that a cut spans: from here on it tests something that one level alone does not.
-constexpr std::uint32_t WideSpan = 3;
 // Small models have few cuts that span many levels: so many random ones are looked at, for each that is tested, to find
 // them.
 constexpr std::size_t TriesPerCut = 30;
@@ -177,7 +177,7 @@ public:
       const std::size_t index = this->Index++;
       vtkMTCut cut = vtkMTRandomCut::Make(this->Graph, this->Seed, index);
       this->Span = vtkMTRandomCut::GetLevelSpan(this->Graph, cut);
-      const bool isWide = this->Span >= WideSpan;
+      const bool isWide = this->Span >= vtkMTStructureCheck::WideSpan;
       if (isWide || this->NarrowAllowed > 0 || index >= this->Tries)
       {
         this->NarrowAllowed -= !isWide && this->NarrowAllowed > 0 ? 1 : 0;
@@ -200,21 +200,20 @@ private:
 };
 }
 
-bmtCheck bmtCheckConformity(const vtkMTPatchSource& source, const vtkMTValidate::Borders& borders, std::size_t cuts,
-  std::uint32_t seed, bmtJson& spans)
+bool vtkMTStructureCheck::TestConformity(const vtkMTPatchSource& source, const vtkMTValidate::Borders& borders,
+  std::size_t cuts, std::uint32_t seed, const vtkMTVerificationProgress& progress,
+  std::vector<vtkMTVerificationCheck>& checks, std::map<std::uint32_t, std::size_t>& spans)
 {
-  bmtCheck check("conformity");
+  vtkMTVerificationCheck check("conformity");
   CutSequence sequence(source.GetGraph(), cuts, seed);
-  std::map<std::uint32_t, std::size_t> counts;
-  std::size_t wide = 0;
-  bmtProgress progress("checking cuts");
   for (std::size_t i = 0; i < cuts; ++i)
   {
-    bmtThrowIfInterrupted();
-    progress.Update(static_cast<double>(i) / static_cast<double>(cuts));
+    if (!progress("checking cuts", static_cast<double>(i) / static_cast<double>(cuts)))
+    {
+      return false;
+    }
     const vtkMTValidate::Result result = borders.Cut(sequence.Next());
-    ++counts[sequence.GetSpan()];
-    wide += sequence.GetSpan() >= WideSpan ? 1 : 0;
+    ++spans[sequence.GetSpan()];
     ++check.Tested;
     if (!result.IsValid())
     {
@@ -222,12 +221,6 @@ bmtCheck bmtCheckConformity(const vtkMTPatchSource& source, const vtkMTValidate:
       check.Fail("random cut " + std::to_string(sequence.GetIndex()) + ": " + what);
     }
   }
-  spans = bmtJson::object();
-  spans["three_levels_or_more"] = wide;
-  spans["cuts_by_levels_spanned"] = bmtJson::object();
-  for (const auto& [span, count] : counts)
-  {
-    spans["cuts_by_levels_spanned"][std::to_string(span)] = count;
-  }
-  return check;
+  checks.push_back(check);
+  return true;
 }

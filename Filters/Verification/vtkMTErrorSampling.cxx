@@ -1,31 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtCertifier.h"
-
-#include "bmtSampling.h"
+#include "vtkMTErrorSampling.h"
 
 #include "vtkMTCut.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTSurfaceSampler.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <sstream>
 
 namespace
 {
-bmtFrame MakeFrame(const vtkMTGraph& graph, const bmtSurface& input)
+vtkMTMeasuringFrame MakeFrame(const vtkMTGraph& graph, const vtkMTSampledSurface& input)
 {
-  bmtBounds bounds = input.GetBounds();
+  vtkMTRealBounds bounds = input.GetBounds();
   double model[6];
   graph.GetBounds(model);
   bounds.Add({ model[0], model[2], model[4] });
   bounds.Add({ model[1], model[3], model[5] });
-  return bmtFrame::FromBounds(bounds);
+  return vtkMTMeasuringFrame::FromBounds(bounds);
 }
 
 // The builder leaves out what is far outside of everything else, and says how much; what that is shows here by itself.
-bmtSurface LeaveOutFar(const vtkMTGraph& graph, bmtSurface input)
+vtkMTSampledSurface LeaveOutFar(const vtkMTGraph& graph, vtkMTSampledSurface input)
 {
   const auto found = graph.InputReport.find("dropped_far_outlier");
   if (found == graph.InputReport.end())
@@ -35,12 +32,12 @@ bmtSurface LeaveOutFar(const vtkMTGraph& graph, bmtSurface input)
   double box[6];
   graph.GetBounds(box);
   const double margin = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
-  const auto isFar = [&](const bmtTriangle& triangle)
+  const auto isFar = [&](const vtkMTTriangle& triangle)
   {
     return std::any_of(triangle.begin(), triangle.end(),
       [&](std::uint32_t p)
       {
-        const bmtPoint& x = input.Points[p];
+        const vtkMTRealPoint& x = input.Points[p];
         return x[0] < box[0] - margin || x[0] > box[1] + margin || x[1] < box[2] - margin || x[1] > box[3] + margin ||
           x[2] < box[4] - margin || x[2] > box[5] + margin;
       });
@@ -75,7 +72,7 @@ double GetLargestError(const vtkMTGraph& graph, const std::vector<std::uint32_t>
   return error;
 }
 
-std::string Describe(const bmtPoint& x, const std::string& where)
+std::string Describe(const vtkMTRealPoint& x, const std::string& where)
 {
   std::ostringstream text;
   text.precision(9);
@@ -84,7 +81,8 @@ std::string Describe(const bmtPoint& x, const std::string& where)
 }
 }
 
-bmtCertifier::bmtCertifier(const vtkMTPatchSource& source, bmtSurface input, std::size_t samples, std::uint64_t seed)
+vtkMTErrorSampling::vtkMTErrorSampling(
+  const vtkMTPatchSource& source, vtkMTSampledSurface input, std::size_t samples, std::uint64_t seed)
   : Source(source)
   , Input(LeaveOutFar(source.GetGraph(), std::move(input)))
   , Frame(MakeFrame(source.GetGraph(), this->Input))
@@ -102,27 +100,26 @@ bmtCertifier::bmtCertifier(const vtkMTPatchSource& source, bmtSurface input, std
       std::to_string(this->Input.FarOutliers) + " triangles of the input lie far outside of it");
   }
   this->Input.Transform(this->Frame);
-  this->InputSearch = std::make_unique<bmtClosestPoint>(this->Input);
+  this->InputSearch = std::make_unique<vtkMTClosestPoint>(this->Input);
   this->InputPoints = this->Input.GetUsedPoints();
-  const bmtSamples extra = bmtSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
+  const vtkMTSurfaceSampler::Samples extra =
+    vtkMTSurfaceSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
   this->InputPoints.insert(this->InputPoints.end(), extra.Points.begin(), extra.Points.end());
 }
 
-bmtCertifier::~bmtCertifier() = default;
+vtkMTErrorSampling::~vtkMTErrorSampling() = default;
 
-bmtCertifier::CutSurface bmtCertifier::ReadCut(const std::vector<std::uint32_t>& arcs) const
+bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const vtkMTVerificationProgress& progress,
+  CutSurface& cut, std::string& error) const
 {
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::vector<unsigned char> noArrays(graph.Arrays.size(), 0);
-  CutSurface cut;
   vtkMTPatch patch;
-  std::string error;
   for (std::uint32_t arc : arcs)
   {
-    bmtThrowIfInterrupted();
-    if (!this->Source.ReadPatch(arc, &noArrays, patch, error))
+    if (!progress("reading patches", 0.0) || !this->Source.ReadPatch(arc, &noArrays, patch, error))
     {
-      throw bmtError(error);
+      return false;
     }
     const auto first = static_cast<std::uint32_t>(cut.Surface.Points.size());
     for (const vtkMTPoint& point : patch.Points)
@@ -137,10 +134,10 @@ bmtCertifier::CutSurface bmtCertifier::ReadCut(const std::vector<std::uint32_t>&
     cut.PointNodes.resize(cut.Surface.Points.size(), graph.Arcs[arc].To);
     cut.TriangleNodes.resize(cut.Surface.Triangles.size(), graph.Arcs[arc].To);
   }
-  return cut;
+  return true;
 }
 
-void bmtCertifier::Compare(bmtCheck& check, double distance, double error, const std::string& where)
+void vtkMTErrorSampling::Compare(vtkMTVerificationCheck& check, double distance, double error, const std::string& where)
 {
   ++check.Tested;
   const double allowed = error + this->GetTolerance();
@@ -154,20 +151,25 @@ void bmtCertifier::Compare(bmtCheck& check, double distance, double error, const
   }
 }
 
-void bmtCertifier::CountNode(std::uint32_t node, double distance)
+void vtkMTErrorSampling::CountNode(std::uint32_t node, double distance)
 {
   this->NodeDistances[node] = std::max(this->NodeDistances[node], distance);
 }
 
-void bmtCertifier::TestPatches(const CutSurface& cut, std::uint32_t level)
+bool vtkMTErrorSampling::TestPatches(
+  const CutSurface& cut, std::uint32_t level, const vtkMTVerificationProgress& progress)
 {
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::string name = "patches of level " + std::to_string(level);
   std::vector<double> distances;
-  const auto test = [&](const std::vector<bmtPoint>& points, const std::vector<std::uint32_t>& owner,
-                      const std::vector<std::uint32_t>* triangles)
+  const auto test = [&](const std::vector<vtkMTRealPoint>& points, const std::vector<std::uint32_t>& owner,
+                      const std::vector<std::uint32_t>* triangles, double before)
   {
-    this->InputSearch->Measure(points, distances, nullptr, (name + " to input").c_str());
+    const auto advance = [&](double share) { return progress(name + " to input", before + 0.5 * share); };
+    if (!this->InputSearch->Measure(points, distances, nullptr, advance))
+    {
+      return false;
+    }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       const std::uint32_t node = owner[triangles ? (*triangles)[i] : i];
@@ -179,22 +181,32 @@ void bmtCertifier::TestPatches(const CutSurface& cut, std::uint32_t level)
         isGood ? std::string()
                : Describe(this->Frame.ToModelPoint(points[i]), "node " + std::to_string(node) + ", " + name));
     }
+    return true;
   };
-  test(cut.Surface.Points, cut.PointNodes, nullptr);
-  const bmtSamples samples = bmtSampler(cut.Surface, this->Samples, this->Seed + level + 1).Take(0, this->Samples);
-  test(samples.Points, cut.TriangleNodes, &samples.Triangles);
+  if (!test(cut.Surface.Points, cut.PointNodes, nullptr, 0.0))
+  {
+    return false;
+  }
+  const vtkMTSurfaceSampler::Samples samples =
+    vtkMTSurfaceSampler(cut.Surface, this->Samples, this->Seed + level + 1).Take(0, this->Samples);
+  return test(samples.Points, cut.TriangleNodes, &samples.Triangles, 0.5);
 }
 
-void bmtCertifier::TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes)
+bool vtkMTErrorSampling::TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes,
+  const vtkMTVerificationProgress& progress)
 {
-  const bmtClosestPoint search(cut.Surface);
+  const vtkMTClosestPoint search(cut.Surface);
   std::vector<double> distances;
   std::vector<std::uint32_t> nearest;
-  search.Measure(this->InputPoints, distances, &nearest, ("input to " + name).c_str());
+  const auto advance = [&](double share) { return progress("input to " + name, share); };
+  if (!search.Measure(this->InputPoints, distances, &nearest, advance))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
     const double distance = this->Frame.ToModel(distances[i]);
-    if (countNodes && nearest[i] != bmtClosestPoint::NoTriangle)
+    if (countNodes && nearest[i] != vtkMTClosestPoint::NoTriangle)
     {
       this->CountNode(cut.TriangleNodes[nearest[i]], distance);
     }
@@ -203,24 +215,30 @@ void bmtCertifier::TestInput(const CutSurface& cut, double error, const std::str
       isGood ? std::string() : Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name));
   }
   ++this->Cuts;
+  return true;
 }
 
-void bmtCertifier::TestLevel(std::uint32_t level)
+bool vtkMTErrorSampling::TestLevel(std::uint32_t level, const vtkMTVerificationProgress& progress, std::string& error)
 {
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::vector<std::uint32_t> arcs = MakeLevelCut(graph, level).GetArcs();
-  const CutSurface cut = this->ReadCut(arcs);
-  this->TestPatches(cut, level);
-  this->TestInput(cut, GetLargestError(graph, arcs), "the cut of level " + std::to_string(level), true);
+  CutSurface cut;
+  const auto firstHalf = [&](const std::string& step, double share) { return progress(step, 0.5 * share); };
+  const auto secondHalf = [&](const std::string& step, double share) { return progress(step, 0.5 + 0.5 * share); };
+  return this->ReadCut(arcs, firstHalf, cut, error) && this->TestPatches(cut, level, firstHalf) &&
+    this->TestInput(cut, GetLargestError(graph, arcs), "the cut of level " + std::to_string(level), true, secondHalf);
 }
 
-void bmtCertifier::TestCut(const vtkMTCut& cut, const std::string& name)
+bool vtkMTErrorSampling::TestCut(
+  const vtkMTCut& cut, const std::string& name, const vtkMTVerificationProgress& progress, std::string& error)
 {
   const std::vector<std::uint32_t> arcs = cut.GetArcs();
-  this->TestInput(this->ReadCut(arcs), GetLargestError(this->Source.GetGraph(), arcs), name, false);
+  CutSurface surface;
+  return this->ReadCut(arcs, progress, surface, error) &&
+    this->TestInput(surface, GetLargestError(this->Source.GetGraph(), arcs), name, false, progress);
 }
 
-bmtJson bmtCertifier::GetTightness() const
+std::map<std::uint32_t, vtkMTErrorSampling::Tightness> vtkMTErrorSampling::GetTightness() const
 {
   const vtkMTGraph& graph = this->Source.GetGraph();
   const double least = std::max(graph.Nodes[graph.GetSink()].Error, this->GetTolerance());
@@ -233,24 +251,12 @@ bmtJson bmtCertifier::GetTightness() const
       ratios[graph.Nodes[node].Level].push_back(certified / std::max(this->NodeDistances[node], least));
     }
   }
-  bmtJson json = bmtJson::object();
+  std::map<std::uint32_t, Tightness> result;
   for (auto& [level, values] : ratios)
   {
     std::sort(values.begin(), values.end());
-    bmtJson& entry = json[std::to_string(level)];
-    entry["median"] = 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
-    entry["worst"] = values.back();
-    entry["n"] = values.size();
+    const double median = 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+    result[level] = { median, values.back(), values.size() };
   }
-  return json;
-}
-
-bmtJson bmtCertifier::GetSkipped() const
-{
-  bmtJson json;
-  json["not_finite"] = this->Input.NonFinite;
-  json["index_out_of_range"] = this->Input.OutOfRange;
-  json["degenerate"] = this->Input.Degenerate;
-  json["far_outlier"] = this->Input.FarOutliers;
-  return json;
+  return result;
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtTurn.h"
+#include "vtkMTPrincipalAxes.h"
 
 #include "vtkMath.h"
 
 #include <cmath>
 #include <cstddef>
 
-bmtTurn bmtTurn::Best(const bmtSurface& surface)
+vtkMTPrincipalAxes vtkMTPrincipalAxes::Best(const vtkMTSampledSurface& surface)
 {
   double a[3][3] = {};
-  for (const bmtTriangle& t : surface.Triangles)
+  for (const vtkMTTriangle& t : surface.Triangles)
   {
     for (int i = 0; i < 3; ++i)
     {
-      const bmtPoint& p = surface.Points[t[i]];
-      const bmtPoint& q = surface.Points[t[(i + 1) % 3]];
+      const vtkMTRealPoint& p = surface.Points[t[i]];
+      const vtkMTRealPoint& q = surface.Points[t[(i + 1) % 3]];
       for (int row = 0; row < 3; ++row)
       {
         for (int column = 0; column < 3; ++column)
@@ -28,40 +28,41 @@ bmtTurn bmtTurn::Best(const bmtSurface& surface)
   double lengths[3];
   double* rowsOfA[3] = { a[0], a[1], a[2] };
   double* rowsOfV[3] = { v[0], v[1], v[2] };
-  bmtTurn turn;
+  vtkMTPrincipalAxes principal;
   if (vtkMath::Jacobi(rowsOfA, lengths, rowsOfV) == 0)
   {
-    return turn;
+    return principal;
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    turn.Axes[axis] = { v[0][axis], v[1][axis], v[2][axis] };
+    principal.Axes[axis] = { v[0][axis], v[1][axis], v[2][axis] };
   }
-  turn.None = false;
-  return turn.GetBoxSurface(surface) < bmtTurn().GetBoxSurface(surface) ? turn : bmtTurn();
+  principal.None = false;
+  return principal.GetBoxSurface(surface) < vtkMTPrincipalAxes().GetBoxSurface(surface) ? principal
+                                                                                        : vtkMTPrincipalAxes();
 }
 
-bmtPoint bmtTurn::Apply(const bmtPoint& x) const
+vtkMTRealPoint vtkMTPrincipalAxes::Apply(const vtkMTRealPoint& x) const
 {
   if (this->None)
   {
     return x;
   }
-  bmtPoint turned;
+  vtkMTRealPoint turned;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bmtPoint& e = this->Axes[axis];
+    const vtkMTRealPoint& e = this->Axes[axis];
     turned[axis] = e[0] * x[0] + e[1] * x[1] + e[2] * x[2];
   }
   return turned;
 }
 
-double bmtTurn::GetBoxSurface(const bmtSurface& surface) const
+double vtkMTPrincipalAxes::GetBoxSurface(const vtkMTSampledSurface& surface) const
 {
   double sum = 0.0;
-  for (const bmtTriangle& t : surface.Triangles)
+  for (const vtkMTTriangle& t : surface.Triangles)
   {
-    bmtBounds box;
+    vtkMTRealBounds box;
     for (const std::uint32_t point : t)
     {
       box.Add(this->Apply(surface.Points[point]));
