@@ -22,8 +22,9 @@
  * measured) and "message" (the first violation, for a person; empty when there is none). A check that finds violations
  * is a result and no error; ask IsValid. Verify is the same without a pipeline.
  *
- * The result depends on model, input and settings alone, not on threads. The input mesh is copied, 24 bytes per point
- * and 12 per triangle, and a search structure of about 150 bytes per triangle is built over it and over each cut.
+ * The result depends on model, input and settings alone, not on threads. Memory: the input mesh is copied, 24 bytes per
+ * point and 12 per triangle; a search structure is built over it, and over one cut at a time, of 20 to 36 bytes per
+ * triangle, up to 340 where triangles are long and thin.
  */
 #ifndef vtkMultiTriangulationVerifier_h
 #define vtkMultiTriangulationVerifier_h

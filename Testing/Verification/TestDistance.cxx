@@ -12,6 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -270,4 +272,32 @@ TEST(Frame, LosesNothingAtExtremeScalesAndOffsets)
     EXPECT_GE(local[0], 0.25) << size;
     EXPECT_EQ(frame.ToModel(local[0]), size);
   }
+}
+
+TEST(SurfaceDistance, TheTwoDirectionsAreToldApart)
+{
+  // A: the unit square. B: its left half. From A to B the distance grows to 1/2, from B to A it is 0.
+  vtkMTSampledSurface a =
+    ToSurface(MTTestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
+  vtkMTSampledSurface b = ToSurface(
+    MTTestMeshes::Make({ { 0, 0, 0 }, { 0.5, 0, 0 }, { 0.5, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
+  vtkMTSurfaceDistance distance;
+  std::vector<double> seen;
+  ASSERT_TRUE(distance.Measure(a, b, 100000, 1,
+    [&seen](const std::string&, double share)
+    {
+      seen.push_back(share);
+      return true;
+    }));
+  EXPECT_NEAR(distance.FromAToB.Maximum, 0.5, 1e-12);
+  EXPECT_LT(distance.FromBToA.Maximum, 1e-15);
+  // The mean of d^2 over A: half of it is 0, the other half the mean of t^2 for t in [0, 1/2], 1/12.
+  EXPECT_NEAR(distance.FromAToB.RootMeanSquare, std::sqrt(1.0 / 24.0), 1e-3);
+  EXPECT_EQ(distance.Maximum, distance.FromAToB.Maximum);
+  EXPECT_NEAR(distance.Diagonal, std::sqrt(2.0), 1e-15);
+  EXPECT_EQ(distance.FromAToB.Samples, 100000u);
+  EXPECT_EQ(distance.FromAToB.Vertices, 4u);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_DOUBLE_EQ(seen.back(), 1.0);
+  EXPECT_FALSE(distance.Measure(a, b, 100000, 1, [](const std::string&, double) { return false; }));
 }
