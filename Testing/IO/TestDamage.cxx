@@ -22,9 +22,10 @@ std::atomic<std::size_t> Held{ 0 };
 std::atomic<std::size_t> MostHeld{ 0 };
 }
 
-// What the process holds is counted where no sanitizer counts itself.
+// What the process holds is counted where no sanitizer counts itself. Not inlined, or the compiler would see a free for
+// every new.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-void* operator new(std::size_t size)
+__attribute__((noinline)) void* operator new(std::size_t size)
 {
   void* memory = std::malloc(size > 0 ? size : 1);
   if (!memory)
@@ -39,14 +40,13 @@ void* operator new(std::size_t size)
   return memory;
 }
 
-// Not inlined, or the compiler would see a free for every new.
 __attribute__((noinline)) void operator delete(void* memory) noexcept
 {
   Held -= malloc_usable_size(memory);
   std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept
 {
   operator delete(memory);
 }
