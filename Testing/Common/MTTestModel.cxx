@@ -145,7 +145,7 @@ private:
     return this->Points[static_cast<std::size_t>(ring % this->Options.Rings) * across + c % across];
   }
 
-  // Mesh `step`, cut into patches by the regions that made it and the regions that will simplify it.
+  // Mesh `step`, split into patches by the regions that made it and the regions that will simplify it.
   void WritePatches(int step, int steps)
   {
     const std::uint32_t sink = static_cast<std::uint32_t>(this->Graph.Nodes.size()) - 1;
