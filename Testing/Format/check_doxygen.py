@@ -26,7 +26,7 @@ def find_warnings(root, doxygen, output, headers):
         warnings.append(f"{doxygen} gave {run.returncode}")
     for header in headers:
         text = header.read_text(encoding="utf-8")
-        name = header.stem
+        name = header.name.split(".", 1)[0]
         if not re.search(rf"@(class|file) {name}\b[^@]*@brief \S", text):
             warnings.append(f"{header}: no '@class {name}' (or '@file') with a '@brief'")
     return warnings

@@ -35,7 +35,8 @@ def find(root):
                     headers += [module.parent / f"{name}.h" for name in get_names([word], variables)]
                 elif kind == "HEADERS":
                     headers += [module.parent / name for name in get_names([word], variables)]
-    return headers
+    # CMake makes some of what ends with .in.
+    return [header if header.exists() else header.with_name(header.name + ".in") for header in headers]
 
 
 if __name__ == "__main__":
