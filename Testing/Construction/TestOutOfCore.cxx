@@ -260,7 +260,7 @@ TEST(OrderedWork, NoMoreIsInHandThanTheBudgetAllows)
     return true;
   };
   ASSERT_TRUE(vtkMTOrderedWork::Run(5000, 4, budget, work, take, error)) << error;
-  std::printf("at most %llu of %llu in hand\n", static_cast<unsigned long long>(most.load()),
+  std::printf("at most %llu of %llu bytes in work\n", static_cast<unsigned long long>(most.load()),
     static_cast<unsigned long long>(budget.Memory));
   EXPECT_EQ(tooMuch, 0u);
   EXPECT_EQ(inHand, 0u);
