@@ -21,7 +21,7 @@ void Count(std::map<std::string, std::int64_t>& report, const char* reason, std:
 }
 
 vtkMTInputFragmentStep::vtkMTInputFragmentStep(
-  const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals)
+  const vtkMTBuildSettings& settings, vtkMTSequenceState& state, std::uint32_t regions, bool makesNormals)
   : Settings(settings)
   , State(state)
   , NumberOfRegions(regions)
@@ -39,13 +39,13 @@ bool vtkMTInputFragmentStep::Fail(const std::string& error)
 
 bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 {
-  this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State.LevelTriangles[0] });
+  this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State.LevelElements[0] });
   return !this->Aborted || this->Fail("aborted");
 }
 
 bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
     input.GetCellTupleSizes(), this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
@@ -61,7 +61,7 @@ bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSp
   this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory / 2);
   this->SharedIds = std::make_unique<vtkMTSharedIds>(store, memory / 2);
   if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
-    !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
+    !state.Barycentres.Begin(store, vtkMTSequenceState::GetBarycentresName(0), this->Error))
   {
     return false;
   }
@@ -129,7 +129,7 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
 //------------------------------------------------------------------------------
 bool vtkMTInputFragmentStep::Finish()
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   {
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
     if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation) || !this->SharedIds->Solve())
@@ -140,7 +140,7 @@ bool vtkMTInputFragmentStep::Finish()
   Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetNumberOfReversedTriangles());
   Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNumberOfNonOrientableTriangles());
   if (!state.Fragments.Begin(
-        *this->Settings.Store, vtkMTBuildState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
+        *this->Settings.Store, vtkMTSequenceState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
   {
     return false;
   }
@@ -167,7 +167,7 @@ bool vtkMTInputFragmentStep::Finish()
         this->Continue("finishing fragments", done);
     });
   this->Fragments.Remove();
-  state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTBuildState::None);
+  state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTSequenceState::None);
   return finished && state.Fragments.Seal(this->Error);
 }
 

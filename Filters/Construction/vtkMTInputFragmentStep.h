@@ -11,12 +11,12 @@
 #define vtkMTInputFragmentStep_h
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTInputFragment.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTOrientation.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTSharedIds.h"
 #include "vtkMTSharedNormals.h"
 
@@ -31,7 +31,7 @@ class VTKMTCONSTRUCTION_EXPORT vtkMTInputFragmentStep
 {
 public:
   vtkMTInputFragmentStep(
-    const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals);
+    const vtkMTBuildSettings& settings, vtkMTSequenceState& state, std::uint32_t regions, bool makesNormals);
   ~vtkMTInputFragmentStep();
 
   ///@{
@@ -66,7 +66,7 @@ private:
     const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
 
   const vtkMTBuildSettings& Settings;
-  vtkMTBuildState& State;
+  vtkMTSequenceState& State;
   const std::uint32_t NumberOfRegions;
   const bool MakesNormals;
   std::string Error;

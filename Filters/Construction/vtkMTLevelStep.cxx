@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-vtkMTLevelStep::vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state)
+vtkMTLevelStep::vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTSequenceState& state)
   : Options(settings)
   , Sink(sink)
   , State(state)
@@ -25,11 +25,12 @@ bool vtkMTLevelStep::Fail(const std::string& error)
 
 bool vtkMTLevelStep::Continue(const char* step, std::uint64_t triangles)
 {
-  // Every level halves, so all levels together have about twice the input's triangles.
-  const double fraction =
-    static_cast<double>(this->State.SimplifiedTriangles) / (2.0 * static_cast<double>(this->State.LevelTriangles[0]));
+  // Every level is smaller by the reduction: with 2, all levels together have about twice the input's triangles.
+  const double reduction = this->Options.Reduction;
+  const double all = reduction / (reduction - 1.0) * static_cast<double>(this->State.LevelElements[0]);
+  const double fraction = static_cast<double>(this->State.SimplifiedTriangles) / all;
   this->Aborted = !this->Options.Report(
-    { std::min(1.0, fraction), step, this->State.Level + 1, triangles, this->State.LevelTriangles[this->State.Level] });
+    { std::min(1.0, fraction), step, this->State.Level + 1, triangles, this->State.LevelElements[this->State.Level] });
   return !this->Aborted || this->Fail("aborted");
 }
 
@@ -53,7 +54,7 @@ bool vtkMTLevelStep::ForAll(const vtkMTRecordSpool& spool, std::size_t keys, con
   return false;
 }
 
-// Simplifying needs the most: what is too large for that is found before it is cut, so that one message says it all.
+// Simplifying needs the most: what is too large for that is found before it is split, so that one message says it all.
 bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t keys)
 {
   const std::uint64_t limit = this->Options.WorkMemory;
@@ -64,7 +65,7 @@ bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t key
   }
   const double needed = this->Options.MemoryPerByteSimplified * static_cast<double>(bytes);
   // Fragments of the input are a fifth shorter than their patches; what regions need is estimated on the safe side.
-  const bool isInput = this->State.Stage == vtkMTBuildState::HasFragments && this->State.Level == 0;
+  const bool isInput = this->State.Stage == vtkMTSequenceState::HasFragments && this->State.Level == 0;
   const auto wanted = static_cast<std::uint64_t>(needed * (isInput ? 1.25 : 0.95));
   return limit == 0 || wanted <= limit ||
     this->Fail("the largest region needs about " + vtkMTMemoryPlan::ToText(wanted) + " of memory where " +

@@ -10,10 +10,10 @@
 #define vtkMTLevelStep_h
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTOrderedWork.h"
 #include "vtkMTPatchSink.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTStageTimes.h"
 
 #include <memory>
@@ -23,7 +23,7 @@
 class VTKMTCONSTRUCTION_EXPORT vtkMTLevelStep
 {
 public:
-  vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state);
+  vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTSequenceState& state);
   virtual ~vtkMTLevelStep();
 
   /// False with a message in GetError.
@@ -65,7 +65,7 @@ protected:
 
   const vtkMTBuildSettings& Options;
   vtkMTPatchSink& Sink;
-  vtkMTBuildState& State;
+  vtkMTSequenceState& State;
   std::string Error;
 
 private:

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 
-vtkMTSimplifyStep::vtkMTSimplifyStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state)
+vtkMTSimplifyStep::vtkMTSimplifyStep(
+  const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTSequenceState& state)
   : vtkMTLevelStep(settings, sink, state)
   , CarriedArrays(state.Graph.Arrays)
 {
@@ -15,15 +16,15 @@ vtkMTSimplifyStep::vtkMTSimplifyStep(const vtkMTBuildSettings& settings, vtkMTPa
 
 bool vtkMTSimplifyStep::Run()
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   const std::uint32_t next = state.Level + 1;
   std::vector<Result> results(this->GetNumberOfSlots());
-  state.NodeOfFragment.assign(state.NextRegions, vtkMTBuildState::None);
+  state.NodeOfFragment.assign(state.NextRegions, vtkMTSequenceState::None);
   std::uint64_t left = 0;
   std::uint64_t triangles = 0;
   if (!state.Fragments.Begin(
-        *this->Options.Store, vtkMTBuildState::GetFragmentsName(next), state.NextRegions, this->Error) ||
-    !state.Barycentres.Begin(*this->Options.Store, vtkMTBuildState::GetBarycentresName(next), this->Error))
+        *this->Options.Store, vtkMTSequenceState::GetFragmentsName(next), state.NextRegions, this->Error) ||
+    !state.Barycentres.Begin(*this->Options.Store, vtkMTSequenceState::GetBarycentresName(next), this->Error))
   {
     return false;
   }
@@ -49,10 +50,10 @@ bool vtkMTSimplifyStep::Run()
   {
     state.Arcs[a].FromNode = state.NodeOfFragment[state.Arcs[a].FromNode];
   }
-  state.LevelTriangles.push_back(left);
+  state.LevelElements.push_back(left);
   state.Patches.Remove();
   state.Level = next;
-  state.Stage = vtkMTBuildState::HasFragments;
+  state.Stage = vtkMTSequenceState::HasFragments;
   return true;
 }
 
@@ -92,7 +93,7 @@ bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::
 
 bool vtkMTSimplifyStep::PutFragment(std::uint32_t level, std::size_t region, const Result& result, std::string& error)
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   const vtkMTRegionStep& step = result.Step;
   if (step.FloorTriangles == 0)
   {

@@ -17,7 +17,7 @@
 class VTKMTCONSTRUCTION_EXPORT vtkMTSimplifyStep : public vtkMTLevelStep
 {
 public:
-  vtkMTSimplifyStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state);
+  vtkMTSimplifyStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTSequenceState& state);
   bool Run() override;
 
 private:

@@ -18,7 +18,7 @@ std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
   const int level = static_cast<int>(this->State.Level) + 1;
   const vtkMTStageTimes::Scope seed(this->Options.Times, vtkMTStageTimes::Seed, true);
   scan.SetContinue([this] { return this->Continue("placing regions", 0); });
-  auto partition = this->Options.Partition->Build(scan, 2.0 * this->Options.GetRegionTarget(), level);
+  auto partition = this->Options.Partition->Build(scan, this->Options.GetFloorTarget(), level);
   if (!partition)
   {
     this->Error = this->WasAborted()
@@ -36,13 +36,13 @@ std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
 //------------------------------------------------------------------------------
 bool vtkMTSplitStep::Run()
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   const auto partition = this->MakePartition();
   if (!partition)
   {
     return false;
   }
-  if (!state.Patches.Begin(*this->Options.Store, vtkMTBuildState::GetPatchesName(state.Level),
+  if (!state.Patches.Begin(*this->Options.Store, vtkMTSequenceState::GetPatchesName(state.Level),
         partition->GetNumberOfRegions(), this->Error))
   {
     return false;
@@ -54,7 +54,7 @@ bool vtkMTSplitStep::Run()
   const std::size_t sortMemory = this->Options.SortMemory / 4;
   vtkMTLocks locks(*this->Options.Store, sortMemory);
   const Room room{ this->Options.WorkMemory > 0 ? this->Options.WorkMemory - sortMemory : 0,
-    this->Options.MemoryPerByteCut };
+    this->Options.MemoryPerByteSplit };
   const bool done = this->ForAll(
     state.Fragments, state.NodeOfFragment.size(), room,
     [&](std::size_t fragment, std::size_t slot, std::string& error)
@@ -81,7 +81,7 @@ bool vtkMTSplitStep::Run()
   }
   state.Fragments.Remove();
   state.Barycentres.Remove();
-  state.Stage = vtkMTBuildState::HasPatches;
+  state.Stage = vtkMTSequenceState::HasPatches;
   return true;
 }
 
