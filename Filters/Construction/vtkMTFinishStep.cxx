@@ -18,7 +18,7 @@ bool vtkMTFinishStep::WriteRoots()
 {
   for (std::size_t f = 0; f < this->State.NodeOfFragment.size(); ++f)
   {
-    vtkMTPatch mesh;
+    vtkMTCertifiedMesh mesh;
     PatchToWrite patch;
     bool isEmpty = false;
     if (!this->TakeFragment(f, mesh, isEmpty, this->Error))
@@ -26,7 +26,7 @@ bool vtkMTFinishStep::WriteRoots()
       return false;
     }
     if (!isEmpty &&
-      (!this->PreparePatch(std::move(mesh), patch, this->Error) ||
+      (!this->PreparePatch(std::move(mesh.Mesh), patch, this->Error) ||
         !this->WritePatch(std::move(patch), vtkMTSequenceState::None, this->State.NodeOfFragment[f], this->Error)))
     {
       return false;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputFragmentStep.h"
 
+#include "vtkMTCertifiedMesh.h"
 #include "vtkMTInputSpool.h"
-#include "vtkMTPatchRecord.h"
 #include "vtkMTPointNormals.h"
-#include "vtkMTRegionStep.h"
 #include "vtkMTStageTimes.h"
 
 #include <algorithm>
@@ -118,11 +117,9 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
       return false;
     }
   }
-  Bytes mesh;
-  Bytes orientation;
-  making.Fragment.Encode(mesh, orientation);
-  return this->Fragments.Put(region, mesh.data(), mesh.size(), error) &&
-    this->Fragments.Put(region, orientation.data(), orientation.size(), error) &&
+  Bytes bytes;
+  making.Fragment.Encode(bytes);
+  return this->Fragments.Put(region, bytes.data(), bytes.size(), error) &&
     this->State.Barycentres.Put(making.Barycentres, error);
 }
 
@@ -161,7 +158,7 @@ bool vtkMTInputFragmentStep::Finish()
     [&](std::size_t region, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope write(this->Settings.Times, vtkMTStageTimes::Write);
-      done += slots[slot].Fragment.Mesh.Triangles.size();
+      done += slots[slot].Triangles;
       const Bytes& record = slots[slot].Record;
       return (record.empty() || state.Fragments.Put(region, record.data(), record.size(), error)) &&
         this->Continue("finishing fragments", done);
@@ -179,7 +176,7 @@ bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, s
   {
     return false;
   }
-  if (records.size() == 2 && !finishing.Fragment.Decode(records[0], records[1], error))
+  if (!records.empty() && !finishing.Fragment.Decode(records[0], error))
   {
     return false;
   }
@@ -195,6 +192,7 @@ bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, s
 void vtkMTInputFragmentStep::FinishOne(Finishing& finishing) const
 {
   vtkMTInputFragment& fragment = finishing.Fragment;
+  finishing.Triangles = fragment.Mesh.Triangles.size();
   if (fragment.Mesh.Triangles.empty())
   {
     return;
@@ -206,8 +204,10 @@ void vtkMTInputFragmentStep::FinishOne(Finishing& finishing) const
     std::copy(finishing.SharedNormals.begin(), finishing.SharedNormals.end(), normals.begin());
     fragment.AddNormals(normals);
   }
-  vtkMTRegionStep::AppendReachOfInput(fragment.Mesh);
-  vtkMTPatchRecord::Encode(fragment.Mesh, finishing.Record);
+  vtkMTCertifiedMesh certified; // it is the input itself: all deviations are zero
+  certified.Mesh = std::move(fragment.Mesh);
+  certified.Deviations.resize(certified.Mesh.Triangles.size());
+  certified.Encode(finishing.Record);
 }
 
 bool vtkMTInputFragmentStep::ForAllRegions(

@@ -3,7 +3,7 @@
  * @class vtkMTInputFragmentStep
  * @brief the fragments of mesh M_0, made of the input's triangles and points by region
  *
- * Make puts every region's records together, in parallel: all but what depends on other fragments. Finish turns round
+ * Make assembles every region's records, in parallel: all but what depends on other fragments. Finish turns round
  * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
  * (vtkMTSharedIds), and fills the state.
  */
@@ -54,6 +54,7 @@ private:
   {
     vtkMTInputFragment Fragment;
     std::vector<std::array<float, 3>> SharedNormals;
+    std::size_t Triangles = 0;
     Bytes Record;
   };
 

@@ -3,8 +3,6 @@
 
 #include "vtkMTArcRecord.h"
 #include "vtkMTMemoryPlan.h"
-#include "vtkMTPatchRecord.h"
-#include "vtkMTRegionStep.h"
 
 #include <algorithm>
 
@@ -73,7 +71,8 @@ bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t key
       vtkMTMemoryPlan::ToText(wanted - limit));
 }
 
-bool vtkMTLevelStep::TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& isEmpty, std::string& error) const
+bool vtkMTLevelStep::TakeFragment(
+  std::size_t fragment, vtkMTCertifiedMesh& mesh, bool& isEmpty, std::string& error) const
 {
   std::vector<Bytes> records;
   if (!this->State.Fragments.Take(fragment, records, error))
@@ -81,13 +80,12 @@ bool vtkMTLevelStep::TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& 
     return false;
   }
   isEmpty = records.empty();
-  return isEmpty || vtkMTPatchRecord::Decode(records[0], mesh, error);
+  return isEmpty || mesh.Decode(records[0], error);
 }
 
 bool vtkMTLevelStep::PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const
 {
   const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-  vtkMTRegionStep::RemoveReach(patch);
   result.Arc = vtkMTMakeArcRecord(patch, this->State.Graph.Lattice.Step);
   result.Patch = this->Sink.Prepare(std::move(patch), error);
   return result.Patch != nullptr;

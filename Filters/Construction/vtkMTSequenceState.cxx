@@ -15,7 +15,14 @@ void vtkMTSequenceState::Save(std::vector<unsigned char>& bytes) const
   writer.Put(this->NextRegions);
   writer.Put(this->SimplifiedTriangles);
   std::vector<unsigned char> records;
-  (this->Stage == HasPatches ? this->Patches : this->Fragments).Save(records);
+  if (this->Stage == HasPatches)
+  {
+    this->Patches.Save(records);
+  }
+  else
+  {
+    this->Fragments.Save(records);
+  }
   writer.PutList(records);
 }
 

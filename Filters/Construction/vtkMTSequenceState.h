@@ -15,6 +15,7 @@
 #include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTRecordSpool.h"
+#include "vtkMTRegionSpool.h"
 
 #include <cstdint>
 #include <string>
@@ -38,9 +39,9 @@ public:
   std::uint32_t NextRegions = 0;             ///< of Psi_(Level + 1), when there are patches
   std::uint64_t SimplifiedTriangles = 0;
 
-  vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, one record or none
+  vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
   vtkMTBarycentreSpool Barycentres; ///< of M_Level, in the order of the fragments
-  vtkMTRecordSpool Patches;         ///< by region of Psi_(Level + 1); the last record of each holds its locks
+  vtkMTRegionSpool Patches;         ///< by region of Psi_(Level + 1), with its locks
 
   ///@{
   /// Names of the spools of a level.

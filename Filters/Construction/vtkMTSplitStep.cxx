@@ -3,7 +3,6 @@
 
 #include "vtkMTLocks.h"
 #include "vtkMTPartitionStrategy.h"
-#include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTSliverMerge.h"
 
@@ -66,8 +65,8 @@ bool vtkMTSplitStep::Run()
     {
       const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
       triangles += splits[slot].Triangles;
-      return this->PutPieces(state.NodeOfFragment[fragment], splits[slot], error) &&
-        locks.Add(splits[slot].Uses, error) && this->Continue("cutting patches", triangles);
+      return this->PutPatches(state.NodeOfFragment[fragment], splits[slot], error) &&
+        locks.Add(splits[slot].Uses, error) && this->Continue("splitting fragments", triangles);
     });
   const vtkMTStageTimes::Scope sort(this->Options.Times, vtkMTStageTimes::Sort);
   if (!done || !locks.Finish(state.Patches, this->Error) || !state.Patches.Seal(this->Error))
@@ -89,12 +88,13 @@ bool vtkMTSplitStep::SplitFragment(
   const vtkMTPartition& partition, std::size_t fragment, Result& result, std::string& error) const
 {
   result = Result();
-  vtkMTPatch mesh;
+  vtkMTCertifiedMesh whole;
   bool isEmpty = false;
-  if (!this->TakeFragment(fragment, mesh, isEmpty, error))
+  if (!this->TakeFragment(fragment, whole, isEmpty, error))
   {
     return false;
   }
+  const vtkMTPatch& mesh = whole.Mesh;
   if (isEmpty || mesh.Triangles.empty())
   {
     return true;
@@ -111,16 +111,22 @@ bool vtkMTSplitStep::SplitFragment(
   vtkMTPatchSplitter split =
     vtkMTPatchSplitter::Split(mesh, regions, this->State.Level, static_cast<std::uint32_t>(fragment));
   result.Uses = std::move(split.Uses);
-  for (vtkMTPatchSplitter::Piece& piece : split.Pieces)
+  for (vtkMTPatchSplitter::Part& part : split.Parts)
   {
-    result.Regions.push_back(piece.Region);
+    vtkMTCertifiedMesh patch{ std::move(part.Patch), {} };
+    patch.Deviations.reserve(part.Triangles.size());
+    for (const std::uint32_t t : part.Triangles)
+    {
+      patch.Deviations.push_back(whole.Deviations[t]);
+    }
+    result.Regions.push_back(part.Region);
     result.Records.emplace_back();
     {
       const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-      vtkMTPatchRecord::Encode(piece.Patch, result.Records.back());
+      vtkMTRegionSpool::EncodePatch(patch, result.Records.back());
     }
     result.Patches.emplace_back();
-    if (!this->PreparePatch(std::move(piece.Patch), result.Patches.back(), error))
+    if (!this->PreparePatch(std::move(patch.Mesh), result.Patches.back(), error))
     {
       return false;
     }
@@ -128,13 +134,13 @@ bool vtkMTSplitStep::SplitFragment(
   return true;
 }
 
-bool vtkMTSplitStep::PutPieces(std::uint32_t toNode, Result& result, std::string& error)
+bool vtkMTSplitStep::PutPatches(std::uint32_t toNode, Result& result, std::string& error)
 {
   for (std::size_t i = 0; i < result.Regions.size(); ++i)
   {
     const std::uint32_t region = result.Regions[i];
     if (!this->WritePatch(std::move(result.Patches[i]), region, toNode, error) ||
-      !this->State.Patches.Put(region, result.Records[i].data(), result.Records[i].size(), error))
+      !this->State.Patches.PutPatch(region, result.Records[i], error))
     {
       return false;
     }
