@@ -19,37 +19,28 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <sys/resource.h>
 
 namespace
 {
+using Builder = vtkMultiTriangulationFileBuilder;
+
 struct Options
 {
+  vtkNew<Builder> Settings; // by the options that are not kept here
   bmtInput Input;
   std::string Output;
   std::string Partition = "v";
   std::string Simplifier = "fast";
-  int PatchTriangles = 1000;
-  int LatticeBits = 24;
-  int Threads = 0;
-  double Precision = 0.0;
-  std::string Compression = "fast";
-  std::vector<std::string> Arrays;
-  CLI::Option* ArraysOption = nullptr;
-  bool NoNormals = false;
-  bool NoIds = false;
-  bool KeepFarOutliers = false;
-  bool Exact = false;
   std::string Memory; // a size; empty: a quarter of the machine's
-  std::string Temp;
-  bool Resume = false;
 };
 
 //------------------------------------------------------------------------------
@@ -58,27 +49,26 @@ vtkTypeInt64 GetMemoryLimit(const std::string& text)
 {
   if (text.empty())
   {
-    return vtkMultiTriangulationFileBuilder::GetDefaultMemoryLimit();
+    return Builder::GetDefaultMemoryLimit();
   }
   char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
+  double bytes = std::strtod(text.c_str(), &end);
   std::string unit(end);
   std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
-  const std::pair<const char*, double> units[] = { { "", 1.0 }, { "b", 1.0 }, { "k", 1024.0 }, { "kib", 1024.0 },
-    { "kb", 1e3 }, { "m", 1048576.0 }, { "mib", 1048576.0 }, { "mb", 1e6 }, { "g", 1073741824.0 },
-    { "gib", 1073741824.0 }, { "gb", 1e9 }, { "t", 1099511627776.0 }, { "tib", 1099511627776.0 }, { "tb", 1e12 } };
-  for (const auto& [name, factor] : units)
+  const std::string prefixes = "kmgt";
+  const std::size_t prefix = unit.empty() ? std::string::npos : prefixes.find(unit[0]);
+  const std::string rest = unit.substr(prefix == std::string::npos ? 0 : 1);
+  const bool isDecimal = rest == "b"; // "kb"; "k" and "kib" are powers of two
+  bytes *= prefix == std::string::npos ? 1.0 : std::pow(isDecimal ? 1000.0 : 1024.0, static_cast<double>(prefix + 1));
+  const bool isUnit = rest.empty() || isDecimal || (rest == "ib" && prefix != std::string::npos);
+  if (isUnit && end != text.c_str() && bytes >= 1.0 && bytes < 1e18)
   {
-    const double bytes = number * factor;
-    if (unit == name && end != text.c_str() && bytes >= 1.0 && bytes < 1e18)
-    {
-      return static_cast<vtkTypeInt64>(bytes);
-    }
+    return static_cast<vtkTypeInt64>(bytes);
   }
   throw bmtError("\"" + text + "\" is no size; say 512MiB, 1.5GiB or a number of bytes");
 }
 
-void ConfigureInput(const Options& options, vtkMultiTriangulationFileBuilder* builder)
+void ConfigureInput(const Options& options, Builder* builder)
 {
   for (const std::string& path : options.Input.Paths)
   {
@@ -91,14 +81,14 @@ void ConfigureInput(const Options& options, vtkMultiTriangulationFileBuilder* bu
   builder->SetGradientNormals(options.Input.GradientNormals);
   builder->SetVerticalScale(options.Input.VerticalScale);
   builder->SetDegrees(options.Input.Degrees);
-  builder->SetKeepAllArrays(options.ArraysOption->count() == 0);
-  for (const std::string& name : options.Arrays)
+  if (builder->GetVerticalScale() != options.Input.VerticalScale ||
+    builder->GetIsoValue() != options.Input.IsoValue.value_or(0.0))
   {
-    builder->AddArrayName(name.c_str());
+    throw bmtError("nothing was built"); // the builder has said why
   }
 }
 
-void Configure(const Options& options, vtkMultiTriangulationFileBuilder* builder)
+void Configure(const Options& options, Builder* builder)
 {
   ConfigureInput(options, builder);
   builder->SetOutputFileName(options.Output.c_str());
@@ -109,20 +99,7 @@ void Configure(const Options& options, vtkMultiTriangulationFileBuilder* builder
   vtkNew<vtkMTEdgeCollapse> simplifier;
   simplifier->SetModeByName(options.Simplifier.c_str());
   builder->SetSimplifier(simplifier);
-  builder->SetPatchTriangles(options.PatchTriangles);
-  builder->SetLatticeBits(options.LatticeBits);
-  builder->SetPrecision(options.Precision);
-  builder->SetCompression(options.Compression == "none" ? vtkMultiTriangulationFileBuilder::NoCompression
-      : options.Compression == "small"                  ? vtkMultiTriangulationFileBuilder::SmallCompression
-                                                        : vtkMultiTriangulationFileBuilder::FastCompression);
-  builder->SetNumberOfThreads(options.Threads);
-  builder->SetMakeNormals(!options.NoNormals);
-  builder->SetKeepIds(!options.NoIds);
-  builder->SetKeepFarOutliers(options.KeepFarOutliers);
-  builder->SetExactPoints(options.Exact);
   builder->SetMemoryLimit(GetMemoryLimit(options.Memory));
-  builder->SetTemporaryFolder(options.Temp.c_str());
-  builder->SetResume(options.Resume);
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +148,7 @@ std::uint64_t GetPeakMemory()
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-bmtJson DescribeBuild(vtkMultiTriangulationFileBuilder* builder)
+bmtJson DescribeBuild(Builder* builder)
 {
   const vtkMTFileBuildReport& report = builder->GetReport();
   bmtJson result;
@@ -197,18 +174,7 @@ bmtJson DescribeBuild(vtkMultiTriangulationFileBuilder* builder)
 }
 
 //------------------------------------------------------------------------------
-void Advance(vtkObject* caller, unsigned long, void* client, void* fraction)
-{
-  vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller);
-  const char* text = algorithm->GetProgressText();
-  static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction), text ? text : "");
-  if (bmtIsInterrupted())
-  {
-    algorithm->AbortExecuteOn();
-  }
-}
-
-std::string GetResumeAdvice(const vtkMultiTriangulationFileBuilder* builder, bool hasCheckpoint)
+std::string GetResumeAdvice(const Builder* builder, bool hasCheckpoint)
 {
   return hasCheckpoint
     ? "; the same command with --resume goes on from the last checkpoint, in " + builder->GetWorkFolder()
@@ -216,13 +182,10 @@ std::string GetResumeAdvice(const vtkMultiTriangulationFileBuilder* builder, boo
 }
 
 // Errors are thrown here; what the library would say itself is kept quiet.
-void Run(vtkMultiTriangulationFileBuilder* builder)
+void Run(Builder* builder)
 {
   bmtProgress progress("building");
-  const vtkNew<vtkCallbackCommand> advance;
-  advance->SetCallback(Advance);
-  advance->SetClientData(&progress);
-  builder->AddObserver(vtkCommand::ProgressEvent, advance);
+  bmtFollow(builder, progress);
   const vtkNew<vtkCallbackCommand> quiet;
   builder->AddObserver(vtkCommand::ErrorEvent, quiet);
   builder->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
@@ -242,7 +205,7 @@ void Run(vtkMultiTriangulationFileBuilder* builder)
 
 bmtJson Build(const Options& options)
 {
-  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  Builder* builder = options.Settings;
   Configure(options, builder);
   Run(builder);
   bmtJson result = DescribeBuild(builder);
@@ -250,56 +213,88 @@ bmtJson Build(const Options& options)
   return result;
 }
 
+//------------------------------------------------------------------------------
+template <class Value>
+CLI::Option* AddSetting(
+  CLI::App& command, const char* name, Builder* builder, void (Builder::*set)(Value), const char* text)
+{
+  return command.add_option_function<Value>(
+    name, [=](const Value& value) { (builder->*set)(value); }, text);
+}
+
+void AddSettings(CLI::App& command, Builder* builder)
+{
+  AddSetting(
+    command, "--patch-triangles", builder, &Builder::SetPatchTriangles, "Wanted mean number of triangles in a patch")
+    ->check(CLI::Range(16, 16384))
+    ->default_str("1000");
+  AddSetting(
+    command, "--lattice-bits", builder, &Builder::SetLatticeBits, "The longest side has at most 2^N lattice steps")
+    ->check(CLI::Range(10, 31))
+    ->default_str("24");
+  AddSetting(command, "--threads", builder, &Builder::SetNumberOfThreads,
+    "Threads; 0: as many as there are processors. No influence on the file")
+    ->check(CLI::Range(0, 1024))
+    ->default_str("0");
+  AddSetting(command, "--precision", builder, &Builder::SetPrecision,
+    "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
+    ->check(CLI::PositiveNumber);
+  const std::map<std::string, int> compressions{ { "none", Builder::NoCompression },
+    { "fast", Builder::FastCompression }, { "small", Builder::SmallCompression } };
+  command
+    .add_option_function<std::string>(
+      "--compression", [=](const std::string& name) { builder->SetCompression(compressions.at(name)); },
+      "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
+    ->check(CLI::IsMember({ "none", "fast", "small" }))
+    ->default_str("fast");
+  command
+    .add_option_function<std::vector<std::string>>(
+      "--arrays",
+      [=](const std::vector<std::string>& names)
+      {
+        builder->KeepAllArraysOff();
+        std::for_each(
+          names.begin(), names.end(), [=](const std::string& name) { builder->AddArrayName(name.c_str()); });
+      },
+      "The input's arrays to keep, with commas between; \"\": none")
+    ->delimiter(',');
+  const auto flag = [&](const char* name, void (Builder::*set)(), const char* text)
+  {
+    command.add_flag_callback(
+      name, [=] { (builder->*set)(); }, text);
+  };
+  flag("--no-ids", &Builder::KeepIdsOff, "Do not keep the input's cell ids, by which picking finds cells");
+  flag("--exact", &Builder::ExactPointsOn,
+    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
+  flag("--keep-far-outliers", &Builder::KeepFarOutliersOn,
+    "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
+  flag("--no-normals", &Builder::MakeNormalsOff, "Make no smooth normals where the input has none");
+  flag("--resume", &Builder::ResumeOn, "Go on with the build that was interrupted, if there is one");
+  command.add_option_function<std::string>(
+    "--temp", [=](const std::string& folder) { builder->SetTemporaryFolder(folder.c_str()); },
+    "Folder for temporary files; default: that of the output");
+}
+
 void AddOptions(CLI::App& command, Options& options)
 {
   command.add_option("INPUT", options.Input.Paths, std::string("What to build from: ") + bmtGetInputKinds())
     ->required();
   command.add_option("-o,--output", options.Output, "The Multi-Triangulation file to write")->required();
+  bmtAddInputOptions(command, options.Input);
   command
     .add_option(
       "--partition", options.Partition, "How regions are placed: v (Voronoi) or regular (cube, face and edge centres)")
     ->check(CLI::IsMember({ "v", "regular" }))
-    ->capture_default_str();
-  bmtAddInputOptions(command, options.Input);
-  command.add_option("--patch-triangles", options.PatchTriangles, "Wanted mean number of triangles in a patch")
-    ->check(CLI::Range(16, 16384))
     ->capture_default_str();
   command
     .add_option("--simplifier", options.Simplifier,
       "fast (memoryless), best (stock loop), or CGAL's own lindstrom-turk and garland-heckbert")
     ->check(CLI::IsMember({ "fast", "best", "lindstrom-turk", "garland-heckbert" }))
     ->capture_default_str();
-  command.add_option("--lattice-bits", options.LatticeBits, "The longest side has at most 2^N lattice steps")
-    ->check(CLI::Range(10, 31))
-    ->capture_default_str();
-  command
-    .add_option("--threads", options.Threads, "Threads; 0: as many as there are processors. No influence on the file")
-    ->check(CLI::Range(0, 1024))
-    ->capture_default_str();
-  command
-    .add_option("--precision", options.Precision,
-      "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
-    ->check(CLI::PositiveNumber);
-  command
-    .add_option("--compression", options.Compression,
-      "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
-    ->check(CLI::IsMember({ "none", "fast", "small" }))
-    ->capture_default_str();
-  options.ArraysOption =
-    command.add_option("--arrays", options.Arrays, "The input's arrays to keep, with commas between; \"\": none")
-      ->delimiter(',');
-  command.add_flag("--no-ids", options.NoIds, "Do not keep the input's cell ids, by which picking finds cells");
-  command.add_flag("--exact", options.Exact,
-    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
-  command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
-    "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
   command.add_option("--memory", options.Memory,
     "Most memory that the process may hold, such as 512MiB or 2GiB; default: a quarter of the machine's. No influence "
-    "on "
-    "the file");
-  command.add_option("--temp", options.Temp, "Folder for temporary files; default: that of the output");
-  command.add_flag("--resume", options.Resume, "Go on with the build that was interrupted, if there is one");
-  command.add_flag("--no-normals", options.NoNormals, "Make no smooth normals where the input has none");
+    "on the file");
+  AddSettings(command, options.Settings);
 }
 }
 

@@ -3,6 +3,9 @@
 
 #include "vtkMTFileAccess.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -17,7 +20,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -153,13 +155,6 @@ double bmtWallSeconds()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double bmtCpuSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 bmtProgress::bmtProgress(const char* what)
   : What(isatty(STDERR_FILENO) ? what : "")
 {
@@ -205,6 +200,24 @@ void bmtProgress::Update(double fraction, const std::string& step)
   std::fprintf(stderr, "\r\033[K%s %3.0f %%%s%s%s", this->What.c_str(), 100.0 * std::clamp(fraction, 0.0, 1.0),
     step.empty() ? "" : ", ", step.c_str(), left.c_str());
   std::fflush(stderr);
+}
+
+void bmtFollow(vtkAlgorithm* algorithm, bmtProgress& progress)
+{
+  const vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(&progress);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void* fraction)
+    {
+      auto* source = static_cast<vtkAlgorithm*>(caller);
+      const char* step = source->GetProgressText();
+      static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction), step ? step : "");
+      if (bmtIsInterrupted())
+      {
+        source->AbortExecuteOn();
+      }
+    });
+  algorithm->AddObserver(vtkCommand::ProgressEvent, follow);
 }
 
 //------------------------------------------------------------------------------
@@ -282,15 +295,6 @@ void bmtFinishOutput()
 
 //------------------------------------------------------------------------------
 // Files
-
-void bmtRequireReadable(const std::string& path)
-{
-  std::string error;
-  if (!vtkMTFileAccess::CanRead(path, error))
-  {
-    throw bmtError(error);
-  }
-}
 
 void bmtRequireWritable(const std::string& path)
 {

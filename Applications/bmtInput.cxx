@@ -33,10 +33,6 @@ std::string bmtGetAdvice(unsigned long errorCode)
       return "; give it with --iso V";
     case vtkMultiTriangulationFileBuilder::UnfinishedBuildError:
       return "; --resume resumes it";
-    case vtkMultiTriangulationFileBuilder::MemoryLimitError:
-      return "; give it with --memory";
-    case vtkMultiTriangulationFileBuilder::ArrayError:
-      return "; --arrays must name what is there";
     case vtkErrorCode::OutOfDiskSpaceError:
       return ", with --temp";
     default:

@@ -21,9 +21,6 @@
 
 namespace
 {
-// Code that is not in memory yet, thread stacks, what the allocator keeps.
-constexpr std::uint64_t Reserve = std::uint64_t(12) << 20;
-
 std::uint64_t ReadNumber(const char* path)
 {
   std::ifstream file(path);
@@ -116,18 +113,17 @@ bool vtkMTBuildWorkspace::Prepare(
         " of either are supported");
   }
   malloc_trim(0); // what reading has freed would count
-  const std::uint64_t used = vtkMTTrimHeap::GetResidentSize() + Reserve;
+  const std::uint64_t resident = vtkMTTrimHeap::GetResidentSize();
   const vtkMTMemoryPlan plan = builder->MakeMemoryPlan(input);
-  if (this->Limit < used + plan.GetLeast())
+  std::uint64_t limit = 0;
+  std::string reason;
+  if (!plan.Divide(this->Limit, resident, limit, reason))
   {
-    return error.Fail(vtkMultiTriangulationFileBuilder::MemoryLimitError,
-      "a memory limit of " + vtkMTMemoryPlan::ToText(this->Limit) + " is too small for this mesh: " +
-        vtkMTMemoryPlan::ToText(used + plan.GetLeast()) + " is the least that would do");
+    return error.Fail(vtkMultiTriangulationFileBuilder::MemoryLimitError, reason);
   }
   builder->SetResume(this->Given.Resume);
   // Spools in memory, and sorts that need not spill.
-  const std::uint64_t whole = used + plan.GetLeast() + plan.GetSpoolSize() + plan.GetSortMemory(0);
-  if (whole <= this->Limit && !hasState && this->Given.TemporaryFolder.empty())
+  if (plan.IsWhole(this->Limit, resident) && !hasState && this->Given.TemporaryFolder.empty())
   {
     builder->SetSpoolStore(std::make_shared<vtkMTMemorySpoolStore>());
     builder->SetMemoryLimit(0);
@@ -139,7 +135,7 @@ bool vtkMTBuildWorkspace::Prepare(
     return false;
   }
   builder->SetSpoolStore(this->Files);
-  builder->SetMemoryLimit(static_cast<vtkTypeInt64>(this->Limit - used));
+  builder->SetMemoryLimit(static_cast<vtkTypeInt64>(limit));
   return true;
 }
 

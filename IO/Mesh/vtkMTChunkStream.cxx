@@ -230,6 +230,34 @@ void vtkMTChunkStream::TakePlainCells(TriangleBlock& block)
   }
 }
 
+// The next triangles of the chunk, by points of the whole file; none at its end.
+bool vtkMTChunkStream::TakeTriangles(TriangleBlock& block)
+{
+  if (!this->Stream->NextTriangles(block))
+  {
+    return this->Fail(this->Stream->GetError());
+  }
+  for (std::size_t t = 0; t < block.Triangles.size(); ++t)
+  {
+    for (std::uint64_t& corner : block.Triangles[t])
+    {
+      corner = this->Corners.Points[static_cast<std::size_t>(corner)];
+    }
+    block.CellIds[t] += static_cast<std::int64_t>(this->FirstCell + this->FirstOfChunk);
+  }
+  return true;
+}
+
+bool vtkMTChunkStream::ReadChunk()
+{
+  const std::uint64_t count = std::min(ChunkSize, this->Cells - this->CellsRead);
+  this->Chunk->Initialize();
+  this->Corners = vtkMTCellCorners();
+  this->FirstOfChunk = this->CellsRead;
+  this->CellsRead += count;
+  return this->ReadCells(count, this->Chunk, this->Corners);
+}
+
 bool vtkMTChunkStream::NextTriangles(TriangleBlock& block)
 {
   PointBlock skipped;
@@ -249,21 +277,10 @@ bool vtkMTChunkStream::NextTriangles(TriangleBlock& block)
   {
     if (this->Stream)
     {
-      if (!this->Stream->NextTriangles(block))
+      const bool good = this->TakeTriangles(block);
+      if (!good || !block.Triangles.empty())
       {
-        return this->Fail(this->Stream->GetError());
-      }
-      for (std::size_t t = 0; t < block.Triangles.size(); ++t)
-      {
-        for (std::uint64_t& corner : block.Triangles[t])
-        {
-          corner = this->Corners.Points[static_cast<std::size_t>(corner)];
-        }
-        block.CellIds[t] += static_cast<std::int64_t>(this->FirstCell + this->FirstOfChunk);
-      }
-      if (!block.Triangles.empty())
-      {
-        return true;
+        return good;
       }
       this->Stream.reset();
     }
@@ -271,15 +288,10 @@ bool vtkMTChunkStream::NextTriangles(TriangleBlock& block)
     {
       return true;
     }
-    const std::uint64_t count = std::min(ChunkSize, this->Cells - this->CellsRead);
-    this->Chunk->Initialize();
-    this->Corners = vtkMTCellCorners();
-    if (!this->ReadCells(count, this->Chunk, this->Corners))
+    if (!this->ReadChunk())
     {
       return false;
     }
-    this->FirstOfChunk = this->CellsRead;
-    this->CellsRead += count;
     if (this->AreCellsPlain())
     {
       this->TakePlainCells(block);

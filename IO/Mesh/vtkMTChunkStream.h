@@ -71,6 +71,8 @@ private:
   bool BeginCells();
   bool AreCellsPlain();
   void TakePlainCells(TriangleBlock& block);
+  bool TakeTriangles(TriangleBlock& block);
+  bool ReadChunk();
   bool AddPlaces();
   bool HasArraysOf(vtkMTArrayInfo::AssociationType association) const;
 
