@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTBuildState.h"
 
-#include "vtkMTBytes.h"
+#include <string>
 
 namespace
 {
@@ -62,10 +62,8 @@ vtkMTBuildState::vtkMTBuildState() = default;
 
 vtkMTBuildState::~vtkMTBuildState() = default;
 
-void vtkMTBuildState::Save(std::vector<unsigned char>& bytes) const
+void vtkMTBuildState::Save(vtkMTBytes::Writer& writer) const
 {
-  vtkMTBytes::Writer writer(bytes);
-  writer.Put(this->Stage);
   writer.Put(this->Level);
   writer.Put(this->Graph.Lattice);
   PutArrays(writer, this->Graph.Arrays);
@@ -75,20 +73,11 @@ void vtkMTBuildState::Save(std::vector<unsigned char>& bytes) const
   writer.Put(this->Graph.FullySharedBorders);
   writer.PutList(this->Nodes);
   writer.PutList(this->Arcs);
-  writer.Put(this->FirstArcOfLevel);
-  writer.PutList(this->NodeOfFragment);
-  writer.Put(this->NextRegions);
-  writer.PutList(this->LevelTriangles);
-  writer.Put(this->SimplifiedTriangles);
-  std::vector<unsigned char> records;
-  (this->Stage == HasPatches ? this->Patches : this->Fragments).Save(records);
-  writer.PutList(records);
+  writer.PutList(this->LevelElements);
 }
 
-bool vtkMTBuildState::Load(vtkMTSpoolStore& store, const std::vector<unsigned char>& bytes, std::string& error)
+void vtkMTBuildState::Load(vtkMTBytes::Reader& reader)
 {
-  vtkMTBytes::Reader reader(bytes);
-  this->Stage = reader.Take<StageType>();
   this->Level = reader.Take<std::uint32_t>();
   this->Graph.Lattice = reader.Take<vtkMTLattice>();
   TakeArrays(reader, this->Graph.Arrays);
@@ -98,22 +87,5 @@ bool vtkMTBuildState::Load(vtkMTSpoolStore& store, const std::vector<unsigned ch
   this->Graph.FullySharedBorders = reader.Take<std::uint32_t>();
   reader.TakeList(this->Nodes);
   reader.TakeList(this->Arcs);
-  this->FirstArcOfLevel = reader.Take<std::uint64_t>();
-  reader.TakeList(this->NodeOfFragment);
-  this->NextRegions = reader.Take<std::uint32_t>();
-  reader.TakeList(this->LevelTriangles);
-  this->SimplifiedTriangles = reader.Take<std::uint64_t>();
-  std::vector<unsigned char> records;
-  reader.TakeList(records);
-  if (!reader.IsSound() || !reader.IsAtEnd() || this->LevelTriangles.empty())
-  {
-    error = "the checkpoint does not hold what was kept";
-    return false;
-  }
-  if (this->Stage == HasPatches)
-  {
-    return this->Patches.Open(store, GetPatchesName(this->Level), records, error);
-  }
-  return this->Fragments.Open(store, GetFragmentsName(this->Level), records, error) &&
-    this->Barycentres.Open(store, GetBarycentresName(this->Level), this->LevelTriangles.back(), error);
+  reader.TakeList(this->LevelElements);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @class vtkMTBuildState
+ * @class vtkMTSequenceState
  * @brief what the construction knows between two of its steps: all that must be kept to go on from there
  *
  * A level has two steps. Before the first one the state holds the fragments of mesh M_Level with their barycentres; the
@@ -8,62 +8,40 @@
  * simplifies these regions to the fragments of M_(Level + 1). Save writes everything but the spools' bytes, which a
  * lasting store keeps; Load takes it back.
  */
-#ifndef vtkMTBuildState_h
-#define vtkMTBuildState_h
+#ifndef vtkMTSequenceState_h
+#define vtkMTSequenceState_h
 
 #include "vtkMTBarycentreSpool.h"
+#include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
-#include "vtkMTGraph.h"
 #include "vtkMTRecordSpool.h"
+#include "vtkMTRegionSpool.h"
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
-class VTKMTCONSTRUCTION_EXPORT vtkMTBuildState
+class VTKMTCONSTRUCTION_EXPORT vtkMTSequenceState : public vtkMTBuildState
 {
 public:
-  static constexpr std::uint32_t None = ~std::uint32_t(0);
-
   enum StageType : std::uint32_t
   {
     HasFragments = 0,
     HasPatches = 1
   };
 
-  struct NodeRecord
-  {
-    std::uint32_t Level;
-    std::uint32_t Region;
-    double Error;      // steps
-    double EdgeLength; // steps
-  };
-
-  struct ArcRecord
-  {
-    vtkMTArc Arc;
-    std::uint32_t FromNode; // index of a node record, None for the source; a region until that is simplified
-    std::uint32_t ToNode;   // the same, None for the sink
-  };
-
-  vtkMTBuildState();
-  ~vtkMTBuildState();
+  vtkMTSequenceState();
+  ~vtkMTSequenceState();
 
   StageType Stage = HasFragments;
-  std::uint32_t Level = 0;
-  vtkMTGraph Graph;                          ///< lattice, arrays, reports; nodes and arcs only at the end
-  std::vector<NodeRecord> Nodes;             ///< in the order in which their regions were simplified
-  std::vector<ArcRecord> Arcs;               ///< in the order in which their patches were written
   std::uint64_t FirstArcOfLevel = 0;         ///< of those that leave the nodes of level Level + 1
   std::vector<std::uint32_t> NodeOfFragment; ///< None: of M_0, or an empty region
   std::uint32_t NextRegions = 0;             ///< of Psi_(Level + 1), when there are patches
-  std::vector<std::uint64_t> LevelTriangles; ///< of M_0, M_1 ...
   std::uint64_t SimplifiedTriangles = 0;
 
-  vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, one record or none
+  vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
   vtkMTBarycentreSpool Barycentres; ///< of M_Level, in the order of the fragments
-  vtkMTRecordSpool Patches;         ///< by region of Psi_(Level + 1); the last record of each holds its locks
+  vtkMTRegionSpool Patches;         ///< by region of Psi_(Level + 1), with its locks
 
   ///@{
   /// Names of the spools of a level.
