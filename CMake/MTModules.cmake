@@ -6,7 +6,7 @@ set(mt_present)
 foreach (folder IN ITEMS
     Module
     Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification IO/Core Rendering/Core
-    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2)
+    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General)
   if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
     continue ()
   endif ()
