@@ -139,7 +139,7 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
   if (!vtkMultiTriangulation::CutToPolyData(*source, cut, this, reason))
   {
     this->Initialize();
-    vtkErrorMacro("The coarsest patches of " << source->GetName() << " cannot be read: " << reason);
+    vtkErrorMacro("The patches of " << source->GetName() << " cannot be read: " << reason);
     return false;
   }
   this->Source = std::move(source);

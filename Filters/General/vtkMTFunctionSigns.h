@@ -19,9 +19,11 @@
 #ifndef vtkMTFunctionSigns_h
 #define vtkMTFunctionSigns_h
 
+#include "vtkMTFiltersModule.h" // For export macro
+
 class vtkImplicitFunction;
 
-struct vtkMTFunctionSigns
+struct VTKMTFILTERS_EXPORT vtkMTFunctionSigns
 {
   bool CanBeNegative = true; ///< or zero
   bool CanBePositive = true; ///< or zero

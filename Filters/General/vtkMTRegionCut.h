@@ -12,6 +12,7 @@
 #define vtkMTRegionCut_h
 
 #include "vtkMTCut.h"
+#include "vtkMTFiltersModule.h" // For export macro
 
 #include <cstdint>
 #include <functional>
@@ -20,7 +21,7 @@
 
 class vtkMTGraph;
 
-class vtkMTRegionCut
+class VTKMTFILTERS_EXPORT vtkMTRegionCut
 {
 public:
   /// What refining the node that an arc enters would remedy; negative: the arc is fine as it is.

@@ -13,6 +13,7 @@
 #define vtkMTSectionLines_h
 
 #include "vtkMTArrayInfo.h"
+#include "vtkMTFiltersModule.h" // For export macro
 
 #include <cstdint>
 #include <functional>
@@ -21,7 +22,7 @@
 class vtkImplicitFunction;
 class vtkPolyData;
 
-struct vtkMTSectionLines
+struct VTKMTFILTERS_EXPORT vtkMTSectionLines
 {
   vtkImplicitFunction* Function = nullptr;
   /// What arrays are, so that ids and labels are taken from the nearer end and directions keep their length of 1.

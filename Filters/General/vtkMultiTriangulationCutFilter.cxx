@@ -129,6 +129,7 @@ void vtkMultiTriangulationCutFilter::SetRenderer(vtkRenderer* renderer)
   {
     this->Renderer = renderer;
     this->Camera = nullptr;
+    this->Size = { 0, 0 };
     this->Choose(BY_VIEW);
   }
 }
@@ -429,8 +430,13 @@ int vtkMultiTriangulationCutFilter::RequestData(
   if (!mesh.Make(*source, output, error))
   {
     output->Initialize();
-    return error.empty() ? this->Fail(vtkErrorCode::UserError, "aborted")
-                         : this->Fail(vtkErrorCode::FileFormatError, error);
+    if (!error.empty())
+    {
+      return this->Fail(vtkErrorCode::FileFormatError, error);
+    }
+    this->ErrorMessage = "aborted";
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 1; // what the user asked for is no error
   }
   this->Describe(model, cut);
   this->UpdateProgress(1.0);

@@ -34,8 +34,8 @@
  *
  * The filter reports progress and can be aborted; the output is then empty. Errors: vtkErrorMacro, GetErrorMessage and
  * an error code: vtkErrorCode::UserError for what cannot be given (fewer triangles than the coarsest cut, a smaller error
- * than the finest level's, a level that is not there, a view without size) and for an abort, FileFormatError for patches
- * that cannot be read, UnknownError for input without patches. The output is then empty.
+ * than the finest level's, a level that is not there, a view without size), FileFormatError for patches that cannot be
+ * read, UnknownError for input without patches. The output is then empty. An abort has UserError and raises no event.
  *
  * @sa vtkMultiTriangulation vtkMultiTriangulationSection vtkMultiTriangulationTransform
  */

@@ -196,7 +196,8 @@ int vtkMultiTriangulationSection::RequestData(
   if (vtkMTIsAborted(this) || !lines.Make(mesh, output))
   {
     output->Initialize();
-    return this->Fail(vtkErrorCode::UserError, "aborted");
+    this->SetErrorCode(vtkErrorCode::UserError);
+    return 1; // what the user asked for is no error
   }
   this->NumberOfPatches = static_cast<vtkIdType>(patches.Arcs.size());
   for (const std::uint32_t arc : patches.Arcs)

@@ -24,8 +24,8 @@
  * vtkMultiTriangulationCutFilter. The function and all lengths are in the coordinates of the input object.
  *
  * The filter reports progress and can be aborted; the output is then empty. Errors: vtkErrorMacro and an error code:
- * vtkErrorCode::UserError when there is no function and for an abort, FileFormatError for patches that cannot be read,
- * UnknownError for input without patches.
+ * vtkErrorCode::UserError when there is no function, FileFormatError for patches that cannot be read, UnknownError for
+ * input without patches. An abort has UserError and raises no event.
  *
  * @sa vtkMultiTriangulation vtkMultiTriangulationCutFilter
  */
