@@ -7,6 +7,7 @@
 #include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
+#include "vtkMTPatchOrder.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
