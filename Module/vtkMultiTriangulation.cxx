@@ -88,7 +88,7 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
     return true;
   }
   std::string error;
-  if (!vtkMultiTriangulation::CutToPolyData(*source, vtkMTCut(source->GetGraph()), this, error))
+  if (!vtkMultiTriangulation::CutToPolyData(*source, vtkMTCut(source->GetKnownGraph()), this, error))
   {
     this->Initialize();
     vtkErrorMacro("The coarsest patches of " << source->GetName() << " cannot be read: " << error);
@@ -109,28 +109,28 @@ std::shared_ptr<const vtkMTPatchSource> vtkMultiTriangulation::GetSource() const
 vtkIdType vtkMultiTriangulation::GetNumberOfNodes()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().Nodes.size()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().Nodes.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfPatches()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().Arcs.size()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().Arcs.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfLevels()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfLevels()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().GetNumberOfLevels()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfFinestTriangles()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfFinestTriangles()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().GetNumberOfFinestTriangles()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +149,7 @@ vtkMultiTriangulation* vtkMultiTriangulation::GetData(vtkInformationVector* v, i
 bool vtkMultiTriangulation::CutToPolyData(
   const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error)
 {
-  const vtkMTGraph& graph = source.GetGraph();
+  const vtkMTGraph& graph = source.GetKnownGraph();
   vtkMTAssembler assembler(graph.Arrays);
   vtkMTPatch patch;
   for (std::uint32_t arc : cut.GetArcs())

@@ -69,7 +69,7 @@ void vtkMTBuildState::Save(std::vector<unsigned char>& bytes) const
   writer.Put(this->Level);
   writer.Put(this->Graph.Lattice);
   PutArrays(writer, this->Graph.Arrays);
-  writer.Put(this->Graph.InputTriangles);
+  writer.Put(this->Graph.InputCounts);
   writer.PutCounts(this->Graph.InputReport);
   writer.PutCounts(this->Graph.Blocked);
   writer.Put(this->Graph.FullySharedBorders);
@@ -92,7 +92,7 @@ bool vtkMTBuildState::Load(vtkMTSpoolStore& store, const std::vector<unsigned ch
   this->Level = reader.Take<std::uint32_t>();
   this->Graph.Lattice = reader.Take<vtkMTLattice>();
   TakeArrays(reader, this->Graph.Arrays);
-  this->Graph.InputTriangles = reader.Take<std::uint64_t>();
+  this->Graph.InputCounts = reader.Take<vtkMTInputCounts>();
   reader.TakeCounts(this->Graph.InputReport);
   reader.TakeCounts(this->Graph.Blocked);
   this->Graph.FullySharedBorders = reader.Take<std::uint32_t>();

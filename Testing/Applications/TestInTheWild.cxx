@@ -85,7 +85,7 @@ void ExpectSound(const std::string& name, const Built& built, vtkPolyData* mesh,
   }
   EXPECT_TRUE(certifier.GetPatchToInput().IsOk()) << name << ": " << certifier.GetPatchToInput().Message;
   EXPECT_TRUE(certifier.GetInputToCut().IsOk()) << name << ": " << certifier.GetInputToCut().Message;
-  EXPECT_EQ(graph.InputTriangles, triangles) << name;
+  EXPECT_EQ(graph.InputCounts.Triangles, triangles) << name;
   EXPECT_EQ(graph.GetNumberOfFinestTriangles() + static_cast<std::uint64_t>(CountDropped(graph.InputReport)), triangles)
     << name << ": stored and dropped are not all";
   std::printf("%-28s %8llu triangles, %8llu stored, %2u levels;", name.c_str(),
