@@ -45,12 +45,8 @@ struct Options
 
 //------------------------------------------------------------------------------
 // Options to settings
-vtkTypeInt64 GetMemoryLimit(const std::string& text)
+vtkTypeInt64 ParseSize(const std::string& text)
 {
-  if (text.empty())
-  {
-    return Builder::GetDefaultMemoryLimit();
-  }
   char* end = nullptr;
   double bytes = std::strtod(text.c_str(), &end);
   std::string unit(end);
@@ -99,7 +95,7 @@ void Configure(const Options& options, Builder* builder)
   vtkNew<vtkMTEdgeCollapse> simplifier;
   simplifier->SetModeByName(options.Simplifier.c_str());
   builder->SetSimplifier(simplifier);
-  builder->SetMemoryLimit(GetMemoryLimit(options.Memory));
+  builder->SetMemoryLimit(options.Memory.empty() ? Builder::GetDefaultMemoryLimit() : ParseSize(options.Memory));
 }
 
 //------------------------------------------------------------------------------
@@ -111,9 +107,10 @@ bmtJson DescribeStages(const vtkMTStageTimes& times, const vtkMTFileBuildReport&
   {
     const auto stage = static_cast<vtkMTStageTimes::StageType>(i);
     const bool isReading = stage == vtkMTStageTimes::Read;
-    bmtJson& entry = stages[vtkMTStageTimes::GetName(stage)];
-    entry["cpu_seconds"] = times.GetCpuSeconds(stage) + (isReading ? report.ReadingCpuSeconds : 0.0);
-    entry["wall_seconds"] = times.GetWallSeconds(stage) + (isReading ? report.ReadingWallSeconds : 0.0);
+    stages[vtkMTStageTimes::GetName(stage)] = {
+      { "cpu_seconds", times.GetCpuSeconds(stage) + (isReading ? report.ReadingCpuSeconds : 0.0) },
+      { "wall_seconds", times.GetWallSeconds(stage) + (isReading ? report.ReadingWallSeconds : 0.0) }
+    };
   }
   return stages;
 }
@@ -133,11 +130,7 @@ void DescribeInput(const vtkMTBuildInput::Result& input, bmtJson& result)
   }
   for (const vtkMTBuildInput::Part& part : input.Parts)
   {
-    bmtJson entry;
-    entry["id"] = result["parts"].size();
-    entry["files"] = part.Files;
-    entry["cells"] = part.Cells;
-    result["parts"].push_back(entry);
+    result["parts"].push_back({ { "id", result["parts"].size() }, { "files", part.Files }, { "cells", part.Cells } });
   }
 }
 
@@ -173,7 +166,6 @@ bmtJson DescribeBuild(Builder* builder)
   return result;
 }
 
-//------------------------------------------------------------------------------
 std::string GetResumeAdvice(const Builder* builder, bool hasCheckpoint)
 {
   return hasCheckpoint

@@ -54,14 +54,10 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
   {
     static const char* const resampling[] = { "interpolate", "nearest", "direction" };
     static const char* const roles[] = { "plain", "input_cell_ids", "made_normals", "exact_points" };
-    bmtJson entry;
-    entry["name"] = array.Name;
-    entry["association"] = array.Association == vtkMTArrayInfo::Point ? "point" : "cell";
-    entry["type"] = vtkImageScalarTypeNameMacro(array.Type);
-    entry["components"] = array.Components;
-    entry["resampling"] = resampling[array.Resampling];
-    entry["role"] = roles[array.Role];
-    list.push_back(entry);
+    list.push_back(
+      { { "name", array.Name }, { "association", array.Association == vtkMTArrayInfo::Point ? "point" : "cell" },
+        { "type", vtkImageScalarTypeNameMacro(array.Type) }, { "components", array.Components },
+        { "resampling", resampling[array.Resampling] }, { "role", roles[array.Role] } });
   }
   return list;
 }
@@ -104,19 +100,19 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["patches"] = graph.Arcs.size();
   json["levels"] = graph.GetNumberOfLevels();
   json["bytes"] = bytes;
-  json["bytes_per_triangle"] =
-    graph.InputCounts.Triangles > 0 ? static_cast<double>(bytes) / static_cast<double>(graph.InputCounts.Triangles) : 0.0;
+  json["bytes_per_triangle"] = graph.InputCounts.Triangles > 0
+    ? static_cast<double>(bytes) / static_cast<double>(graph.InputCounts.Triangles)
+    : 0.0;
   json["bounds"] = std::vector<double>(bounds, bounds + 6);
   json["arrays"] = DescribeArrays(graph.Arrays);
   json["partition"] = GetStrategy(graph, "partition");
   json["simplifier"] = GetStrategy(graph, "simplifier");
   json["settings"] = DescribeMap(graph.Settings);
-  json["conditioning"]["depth"] = conditioning.Depth;
-  json["conditioning"]["diameter_ratio"] = conditioning.DiameterRatio;
-  json["conditioning"]["fully_shared_borders"] = conditioning.FullySharedBorders;
   const double target = std::atof(GetSetting(graph, "floor_triangles").c_str());
-  json["conditioning"]["largest_region_over_target"] =
-    target > 0.0 ? static_cast<double>(conditioning.LargestFloor) / target : 0.0;
+  const double largest = static_cast<double>(conditioning.LargestFloor);
+  json["conditioning"] = { { "depth", conditioning.Depth }, { "diameter_ratio", conditioning.DiameterRatio },
+    { "fully_shared_borders", conditioning.FullySharedBorders },
+    { "largest_region_over_target", target > 0.0 ? largest / target : 0.0 } };
   json["root_triangles"] = graph.GetNumberOfRootTriangles();
   json["blocked"] = DescribeMap(graph.Blocked);
   json["input_report"] = DescribeMap(graph.InputReport);
