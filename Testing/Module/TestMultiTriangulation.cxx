@@ -296,6 +296,9 @@ public:
   static Sink* New();
   vtkTypeMacro(Sink, Unaware);
   Sink() { this->SetNumberOfOutputPorts(0); }
+
+protected:
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override { return 1; }
 };
 vtkStandardNewMacro(Sink);
 }
