@@ -13,7 +13,7 @@
 bool vtkMTCutMesh::Make(const vtkMTPatchSource& source, vtkPolyData* output, std::string& error,
   std::vector<std::uint32_t>* wedgePoints) const
 {
-  const vtkMTGraph& graph = source.GetGraph();
+  const vtkMTGraph& graph = source.GetKnownGraph();
   vtkMTAssembler assembler(graph.Arrays);
   vtkMTPatch patch;
   error.clear();

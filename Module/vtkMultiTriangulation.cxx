@@ -125,9 +125,9 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
   {
     return true;
   }
-  const vtkMTGraph& graph = source->GetGraph();
-  vtkMTCut cut(graph);
   const bool isChosen = error < std::numeric_limits<double>::infinity();
+  const vtkMTGraph& graph = isChosen ? source->GetGraph() : source->GetKnownGraph();
+  vtkMTCut cut(graph);
   for (std::uint32_t node = 1; isChosen && node < graph.Nodes.size(); ++node)
   {
     if (graph.Nodes[node].Error > error)
@@ -193,7 +193,7 @@ void vtkMultiTriangulation::GetModelBounds(double bounds[6]) const
   double box[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // as vtkMath::UninitializeBounds
   if (source)
   {
-    source->GetGraph().GetBounds(box);
+    source->GetKnownGraph().GetBounds(box);
   }
   vtkMTPlacement placement;
   this->GetFrame(placement.Matrix.data());
@@ -254,28 +254,28 @@ std::shared_ptr<const vtkMTPatchSource> vtkMultiTriangulation::GetSource() const
 vtkIdType vtkMultiTriangulation::GetNumberOfNodes()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().Nodes.size()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().Nodes.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfPatches()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().Arcs.size()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().Arcs.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfLevels()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfLevels()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().GetNumberOfLevels()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfFinestTriangles()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfFinestTriangles()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().GetNumberOfFinestTriangles()) : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -118,8 +118,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * The welded mesh of any cut as polydata, with all arrays of the model, in the coordinates of the lattice. Returns
-   * false, with the reason in error, when a patch cannot be read.
+   * The welded mesh of any cut of the source's known graph as polydata, with all arrays of the model, in the
+   * coordinates of the lattice. Returns false, with the reason in error, when a patch cannot be read.
    */
   static bool CutToPolyData(
     const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);

@@ -117,7 +117,7 @@ public:
       return false;
     }
     this->SetUpArrays(stream, input.IsSingle());
-    state.Graph.InputTriangles = input.GetInputTriangles();
+    state.Graph.InputCounts.Triangles = input.GetInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
     state.LevelElements.assign(1, input.GetNumberOfTriangles());

@@ -244,7 +244,7 @@ void vtkMultiTriangulationMapper::UpdateMaximumPointCellIds(vtkRenderer* rendere
   const std::uint64_t triangles = self.Arena.GetTriangleCapacity() * self.GetIndicesPerTriangle();
   renderer->GetSelector()->UpdateMaximumPointId(static_cast<vtkIdType>(self.Arena.GetVertexCapacity()));
   renderer->GetSelector()->UpdateMaximumCellId(
-    static_cast<vtkIdType>(std::max(triangles, self.Graph().InputTriangles)));
+    static_cast<vtkIdType>(std::max(triangles, self.Graph().InputCounts.Triangles)));
 }
 
 //------------------------------------------------------------------------------

@@ -90,7 +90,7 @@ void ExpectSound(const std::string& name, const Built& built, vtkPolyData* mesh,
   }
   EXPECT_TRUE(sampling.GetPatchToInput().IsOk()) << name << ": " << sampling.GetPatchToInput().Message;
   EXPECT_TRUE(sampling.GetInputToCut().IsOk()) << name << ": " << sampling.GetInputToCut().Message;
-  EXPECT_EQ(graph.InputTriangles, triangles) << name;
+  EXPECT_EQ(graph.InputCounts.Triangles, triangles) << name;
   EXPECT_EQ(graph.GetNumberOfFinestTriangles() + static_cast<std::uint64_t>(CountDropped(graph.InputReport)), triangles)
     << name << ": stored and dropped are not all";
   std::printf("%-28s %8llu triangles, %8llu stored, %2u levels;", name.c_str(),

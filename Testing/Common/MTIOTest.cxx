@@ -122,7 +122,7 @@ void ExpectEqual(const vtkMTGraph& a, const vtkMTGraph& b)
   EXPECT_TRUE(AreAllEqual(a.Arcs, b.Arcs));
   EXPECT_EQ(a.Entering, b.Entering);
   EXPECT_TRUE(a.Arrays == b.Arrays);
-  EXPECT_EQ(a.InputTriangles, b.InputTriangles);
+  EXPECT_EQ(a.InputCounts.Triangles, b.InputCounts.Triangles);
   EXPECT_EQ(a.Settings, b.Settings);
   EXPECT_EQ(a.InputReport, b.InputReport);
   EXPECT_EQ(a.Blocked, b.Blocked);

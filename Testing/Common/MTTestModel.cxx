@@ -117,7 +117,7 @@ private:
 
   void FillArrays()
   {
-    this->Graph.InputTriangles = 2ull * this->Options.Across * this->Options.Rings;
+    this->Graph.InputCounts.Triangles = 2ull * this->Options.Across * this->Options.Rings;
     this->Graph.Settings = { { "partition", "runs of rings" }, { "simplifier", "every second ring" } };
     if (!this->Options.Arrays)
     {
