@@ -17,6 +17,8 @@
 #include "vtkPointData.h"
 #include "vtkTrivialProducer.h"
 
+#include <cmath>
+
 using namespace MTIOTest;
 
 namespace
@@ -25,13 +27,13 @@ namespace
 class Errors
 {
 public:
-  explicit Errors(vtkAlgorithm* algorithm)
+  explicit Errors(vtkAlgorithm* algorithm, unsigned long event = vtkCommand::ErrorEvent)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
       { static_cast<Errors*>(self)->Text += static_cast<const char*>(text); });
-    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    algorithm->AddObserver(event, this->Command);
+    algorithm->GetExecutive()->AddObserver(event, this->Command);
   }
   std::string Text;
 
@@ -156,4 +158,27 @@ TEST(ReaderWriter, ReaderSaysWhatIsWrong)
   EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile((folder / "garbage.bmt").c_str()), 0);
   EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile((folder / "missing.bmt").c_str()), 0);
   EXPECT_EQ(vtkMultiTriangulationReader::CanReadFile(nullptr), 0);
+}
+
+TEST(ReaderWriter, OutputErrorChoosesWhatUnawareFiltersGet)
+{
+  Folder folder;
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(MakeData());
+  writer->SetFileName((folder / "model.bmt").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkMultiTriangulationReader> reader;
+  Errors warnings(reader, vtkCommand::WarningEvent);
+  reader->SetFileName((folder / "model.bmt").c_str());
+  reader->Update();
+  const vtkIdType coarsest = reader->GetOutput()->GetNumberOfPolys();
+  reader->SetOutputError(0.0);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), reader->GetOutput()->GetNumberOfFinestTriangles());
+  reader->SetOutputError(0.01);
+  reader->Update();
+  EXPECT_GT(reader->GetOutput()->GetNumberOfPolys(), coarsest);
+  reader->SetOutputError(std::nan(""));
+  EXPECT_EQ(reader->GetOutputError(), 0.01);
+  EXPECT_NE(warnings.Text.find("NaN"), std::string::npos);
 }

@@ -5,15 +5,23 @@
 #include "vtkCommand.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationVector.h"
 #include "vtkMTCut.h"
 #include "vtkMTMeshToPolyData.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMultiTriangulation.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
+#include <string>
 
 namespace
 {
@@ -21,11 +29,16 @@ struct ErrorCounter
 {
   vtkNew<vtkCallbackCommand> Command;
   int Count = 0;
+  std::string Text;
   ErrorCounter()
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*) { ++static_cast<ErrorCounter*>(self)->Count; });
+      [](vtkObject*, unsigned long, void* self, void* text)
+      {
+        ++static_cast<ErrorCounter*>(self)->Count;
+        static_cast<ErrorCounter*>(self)->Text = static_cast<const char*>(text);
+      });
   }
 };
 
@@ -242,4 +255,156 @@ TEST(MeshToPolyData, ActiveAttributesAndComponentNamesComeBack)
   EXPECT_STREQ(result->GetPointData()->GetArray("tensor")->GetComponentName(1), "xy");
   EXPECT_EQ(result->GetCellData()->GetScalars(), nullptr);
   EXPECT_EQ(result->GetCellData()->GetNumberOfArrays(), 3);
+}
+
+namespace
+{
+// A filter that knows polydata only; what it does with it is none of our business.
+class Unaware : public vtkPolyDataAlgorithm
+{
+public:
+  static Unaware* New();
+  vtkTypeMacro(Unaware, vtkPolyDataAlgorithm);
+
+protected:
+  int RequestData(vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override
+  {
+    vtkPolyData::GetData(output)->ShallowCopy(vtkPolyData::GetData(input[0]));
+    return 1;
+  }
+};
+vtkStandardNewMacro(Unaware);
+
+class Aware : public Unaware
+{
+public:
+  static Aware* New();
+  vtkTypeMacro(Aware, Unaware);
+
+protected:
+  int FillInputPortInformation(int port, vtkInformation* info) override
+  {
+    info->Set(vtkMultiTriangulation::USES_PATCHES(), 1);
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+};
+vtkStandardNewMacro(Aware);
+
+class Sink : public Unaware
+{
+public:
+  static Sink* New();
+  vtkTypeMacro(Sink, Unaware);
+  Sink() { this->SetNumberOfOutputPorts(0); }
+
+protected:
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override { return 1; }
+};
+vtkStandardNewMacro(Sink);
+}
+
+TEST(MultiTriangulation, UnawareFilterIsNamedOnceHoweverItIsFed)
+{
+  const auto mt = MakeTube();
+  ErrorCounter warnings;
+  mt->AddObserver(vtkCommand::WarningEvent, warnings.Command);
+  vtkNew<Aware> aware;
+  aware->SetInputData(mt);
+  aware->Update();
+  vtkNew<Sink> sink;
+  sink->SetInputData(mt);
+  sink->Update();
+  mt->GetNumberOfCells();
+  mt->GetPoints();
+  EXPECT_EQ(warnings.Count, 0) << "who uses the patches, and who ends the pipeline, is not warned of";
+  vtkNew<Unaware> unaware;
+  unaware->SetInputData(mt);
+  unaware->Update();
+  EXPECT_EQ(warnings.Count, 1);
+  EXPECT_NE(warnings.Text.find("Unaware knows nothing"), std::string::npos) << warnings.Text;
+  EXPECT_NE(warnings.Text.find("vtkMultiTriangulationCutFilter"), std::string::npos);
+  EXPECT_NE(warnings.Text.find("SetOutputError"), std::string::npos);
+  vtkNew<Unaware> another;
+  another->SetInputData(mt);
+  another->Update();
+  mt->Modified();
+  unaware->Update();
+  EXPECT_EQ(warnings.Count, 1) << "once for each object";
+}
+
+TEST(MultiTriangulation, NoWarningWhereTheCutWasChosenOrIsAllThereIs)
+{
+  vtkNew<vtkMultiTriangulation> chosen;
+  ErrorCounter warnings;
+  chosen->AddObserver(vtkCommand::WarningEvent, warnings.Command);
+  ASSERT_TRUE(chosen->SetSource(MTTestModel::MakeTube(), 0.01));
+  vtkNew<vtkMultiTriangulation> empty;
+  empty->AddObserver(vtkCommand::WarningEvent, warnings.Command);
+  for (vtkMultiTriangulation* each : { chosen.Get(), empty.Get() })
+  {
+    vtkNew<Unaware> unaware;
+    unaware->SetInputData(each);
+    unaware->Update();
+  }
+  EXPECT_EQ(warnings.Count, 0);
+}
+
+TEST(MultiTriangulation, ErrorChoosesTheCutThatItHolds)
+{
+  const auto source = MTTestModel::MakeTube();
+  const double coarsest = vtkMTCut(source->GetGraph()).GetError();
+  vtkNew<vtkMultiTriangulation> mt;
+  vtkIdType before = 0;
+  for (const double error : { std::numeric_limits<double>::infinity(), 0.3 * coarsest, 0.05 * coarsest, 0.0 })
+  {
+    ASSERT_TRUE(mt->SetSource(source, error));
+    EXPECT_GT(mt->GetNumberOfPolys(), before);
+    EXPECT_EQ(MTTestMeshes::CountEdges(mt, true).Open, 0);
+    before = mt->GetNumberOfPolys();
+  }
+  EXPECT_EQ(before, mt->GetNumberOfFinestTriangles()) << "what cannot be reached gives the finest level";
+  ASSERT_TRUE(mt->SetSource(source, std::nan("")));
+  EXPECT_EQ(mt->GetNumberOfPolys(), static_cast<vtkIdType>(source->GetGraph().GetNumberOfRootTriangles()));
+}
+
+TEST(MultiTriangulation, TransformMovesMeshFrameAndBounds)
+{
+  const auto mt = MakeTube();
+  const auto source = mt->GetSource();
+  double before[6];
+  mt->GetModelBounds(before);
+  double graph[6];
+  source->GetGraph().GetBounds(graph);
+  EXPECT_TRUE(std::equal(before, before + 6, graph));
+  EXPECT_EQ(mt->GetStretch(), 1.0);
+  const double matrix[16] = { 0, -2, 0, 5, 2, 0, 0, 6, 0, 0, 3, 7, 0, 0, 0, 1 };
+  double first[3];
+  mt->GetPoint(0, first);
+  ASSERT_TRUE(mt->ApplyTransform(matrix));
+  EXPECT_EQ(mt->GetSource(), source);
+  EXPECT_EQ(mt->GetPoint(0)[0], 5.0 - 2.0 * first[1]);
+  EXPECT_NEAR(mt->GetStretch(), 3.0, 1e-9);
+  double after[6];
+  mt->GetModelBounds(after);
+  EXPECT_EQ(after[0], 5.0 - 2.0 * before[3]);
+  EXPECT_EQ(after[5], 7.0 + 3.0 * before[5]);
+  double frame[16];
+  mt->GetFrame(frame);
+  EXPECT_TRUE(std::equal(frame, frame + 16, matrix));
+
+  ErrorCounter errors;
+  mt->AddObserver(vtkCommand::ErrorEvent, errors.Command);
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity(), 0.0 })
+  {
+    double broken[16] = { 1, 0, 0, 0, 0, bad, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    EXPECT_FALSE(mt->ApplyTransform(broken));
+  }
+  EXPECT_EQ(errors.Count, 3);
+  mt->GetFrame(frame);
+  EXPECT_TRUE(std::equal(frame, frame + 16, matrix)) << "nothing has been done";
+  mt->Initialize();
+  mt->GetFrame(frame);
+  EXPECT_EQ(frame[3], 0.0);
+  mt->GetModelBounds(after);
+  EXPECT_GT(after[0], after[1]);
 }

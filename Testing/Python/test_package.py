@@ -6,8 +6,9 @@ import unittest
 
 import multitriangulation
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData, vtkSphere
 from vtkmodules.vtkCommonMisc import vtkErrorCode
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
@@ -60,6 +61,43 @@ class Package(unittest.TestCase):
         self.assertEqual(builder.GetErrorCode(), vtkErrorCode.FileNotFoundError)
         self.assertEqual(len(errors), 1)
         self.assertIn("no-such-file.ply", errors[0])
+
+    def test_filters_of_a_pipeline(self):
+        names = (
+            "vtkMultiTriangulationBuilder", "vtkMultiTriangulationTransform", "vtkMultiTriangulationCutFilter",
+            "vtkMultiTriangulationSection",
+        )
+        if not set(names) <= set(multitriangulation.__all__):
+            self.skipTest("the toolkit was built without some of these")
+        builder, moved, cut, section = (getattr(multitriangulation, name)() for name in names)
+        mesh = vtkSphereSource()
+        mesh.SetThetaResolution(80)
+        mesh.SetPhiResolution(80)
+        builder.SetInputConnection(mesh.GetOutputPort())
+        builder.SetPatchTriangles(100)
+        transform = vtkTransform()
+        transform.Translate(10, 0, 0)
+        moved.SetInputConnection(builder.GetOutputPort())
+        moved.SetTransform(transform)
+        cut.SetInputConnection(moved.GetOutputPort())
+        cut.SetTriangleLimit(4000)
+        region = vtkSphere()
+        region.SetCenter(10.5, 0, 0)
+        region.SetRadius(0.2)
+        cut.SetRegion(region)
+        cut.Update()
+        self.assertEqual(cut.GetErrorMessage(), "")
+        self.assertLessEqual(cut.GetOutput().GetNumberOfPolys(), 4000)
+        self.assertGreater(cut.GetOutput().GetNumberOfPolys(), 0)
+        section.SetInputConnection(moved.GetOutputPort())
+        plane = vtkPlane()
+        plane.SetOrigin(10, 0, 0)
+        section.SetImplicitFunction(plane)
+        section.Update()
+        self.assertGreater(section.GetOutput().GetNumberOfLines(), 20)
+        bounds = [0.0] * 6
+        moved.GetOutput().GetModelBounds(bounds)
+        self.assertAlmostEqual(bounds[0], 9.5, 2)
 
     def test_every_concrete_class_prints_itself(self):
         for name in multitriangulation.__all__:

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model whose frame puts it elsewhere is drawn and picked there.
+#include "MTGridModel.h"
+#include "MTPicture.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellPicker.h"
+#include "vtkImageData.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMTPatchStore.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationCutFilter.h"
+#include "vtkMultiTriangulationLocator.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkMultiTriangulationTransform.h"
+#include "vtkPlane.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+vtkSmartPointer<vtkMultiTriangulation> MakeInput()
+{
+  auto model = vtkSmartPointer<vtkMultiTriangulation>::New();
+  EXPECT_TRUE(model->SetSource(MTGridModel().Make()));
+  return model;
+}
+
+vtkSmartPointer<vtkTransform> MakeTransform(bool mirrors)
+{
+  auto transform = vtkSmartPointer<vtkTransform>::New();
+  transform->Translate(5.0, -3.0, 2.0);
+  transform->RotateWXYZ(25.0, 1.0, 0.5, 0.2);
+  transform->Scale(mirrors ? -3.0 : 3.0, 2.0, 1.5);
+  return transform;
+}
+
+void Look(MTScene& scene)
+{
+  scene.Renderer->ResetCamera();
+  scene.Renderer->GetActiveCamera()->Elevation(-35.0);
+  scene.Renderer->GetActiveCamera()->Azimuth(15.0);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+// Through the frame, in the view of another scene.
+void LookLike(MTScene& scene, MTScene& other)
+{
+  scene.Renderer->GetActiveCamera()->DeepCopy(other.Renderer->GetActiveCamera());
+}
+}
+
+TEST(Placement, FrameDrawsWhatAnActorsMatrixDraws)
+{
+  for (const double pixelError : { 0.0, 2.0 })
+  {
+    vtkNew<vtkMultiTriangulationMapper> plain;
+    plain->SetInputData(MakeInput());
+    plain->SetPixelError(pixelError);
+    vtkNew<vtkMultiTriangulationTransform> moved;
+    moved->SetInputData(MakeInput());
+    moved->SetTransform(MakeTransform(false));
+    vtkNew<vtkMultiTriangulationMapper> mapper;
+    mapper->SetInputConnection(moved->GetOutputPort());
+    mapper->SetPixelError(pixelError);
+    MTScene byActor(plain);
+    byActor.Actor->SetUserTransform(MakeTransform(false));
+    MTScene byFrame(mapper);
+    Look(byActor);
+    LookLike(byFrame, byActor);
+    const auto expected = byActor.Render();
+    const MTDifference difference = MTDifference::Compare(byFrame.Render(), expected);
+    std::cout << difference << "\n";
+    EXPECT_GT(difference.Drawn, 5000u);
+    EXPECT_LE(difference.Largest, MTDifference::Slight);
+    EXPECT_EQ(mapper->GetTriangles(), plain->GetTriangles());
+    EXPECT_NEAR(mapper->GetAchievedPixelError(), plain->GetAchievedPixelError(), 1e-9);
+
+    vtkNew<vtkPlane> clip;
+    clip->SetOrigin(byActor.Actor->GetCenter());
+    clip->SetNormal(1.0, 0.3, 0.0);
+    plain->AddClippingPlane(clip);
+    mapper->AddClippingPlane(clip);
+    const auto clipped = byActor.Render();
+    EXPECT_LE(MTDifference::Compare(byFrame.Render(), clipped).ClearlyOff, 3u);
+    EXPECT_GT(MTDifference::Compare(clipped, expected).ClearlyOff, 1000u);
+  }
+}
+
+TEST(Placement, MirroredModelIsThatOfItsCut)
+{
+  vtkNew<vtkMultiTriangulationTransform> moved;
+  moved->SetInputData(MakeInput());
+  moved->SetTransform(MakeTransform(true));
+  vtkNew<vtkMultiTriangulationCutFilter> cut;
+  cut->SetInputConnection(moved->GetOutputPort());
+  cut->SetLevel(0);
+  vtkNew<vtkPolyDataMapper> stock;
+  stock->SetInputConnection(cut->GetOutputPort());
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputConnection(moved->GetOutputPort());
+  mapper->SetPixelError(0.0);
+  MTScene expected(stock);
+  MTScene scene(mapper);
+  for (const bool culling : { false, true })
+  {
+    expected.Actor->GetProperty()->SetBackfaceCulling(culling);
+    scene.Actor->GetProperty()->SetBackfaceCulling(culling);
+    Look(expected);
+    LookLike(scene, expected);
+    const auto picture = expected.Render();
+    const MTDifference difference = MTDifference::Compare(scene.Render(), picture);
+    std::cout << difference << "\n";
+    EXPECT_GT(difference.Drawn, 5000u);
+    EXPECT_LE(difference.ClearlyOff, difference.Drawn / 100);
+  }
+  vtkNew<vtkPolyData> drawn;
+  ASSERT_TRUE(mapper->GetCut(drawn));
+  double bounds[6];
+  double model[6];
+  drawn->GetBounds(bounds);
+  mapper->GetBounds(model);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_GE(bounds[2 * i], model[2 * i] - 1e-9);
+    EXPECT_LE(bounds[2 * i + 1], model[2 * i + 1] + 1e-9);
+  }
+}
+
+TEST(Placement, ANewPlaceReadsAndUploadsNothing)
+{
+  vtkNew<vtkTransform> transform;
+  vtkNew<vtkMultiTriangulationTransform> moved;
+  moved->SetInputData(MakeInput());
+  moved->SetTransform(transform);
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputConnection(moved->GetOutputPort());
+  mapper->SetPixelError(0.0);
+  MTScene scene(mapper);
+  Look(scene);
+  const auto before = scene.Render();
+  const vtkIdType reads = mapper->GetNumberOfReads();
+  const vtkIdType bytes = mapper->GetNumberOfUploadedBytes();
+  transform->Translate(0.05, 0.02, 0.0);
+  const auto after = scene.Render();
+  EXPECT_GT(MTDifference::Compare(after, before).ClearlyOff, 500u);
+  EXPECT_EQ(mapper->GetNumberOfReads(), reads);
+  EXPECT_EQ(mapper->GetNumberOfUploadedBytes(), bytes);
+}
+
+TEST(Placement, PickerHitsWhatIsDrawn)
+{
+  vtkNew<vtkMultiTriangulationMapper> mappers[2];
+  vtkNew<vtkMultiTriangulationTransform> moved;
+  moved->SetInputData(MakeInput());
+  moved->SetTransform(MakeTransform(false));
+  mappers[0]->SetInputData(MakeInput());
+  mappers[1]->SetInputConnection(moved->GetOutputPort());
+  MTScene byActor(mappers[0]);
+  byActor.Actor->SetUserTransform(MakeTransform(false));
+  MTScene byFrame(mappers[1]);
+  Look(byActor);
+  LookLike(byFrame, byActor);
+  MTScene* scenes[2] = { &byActor, &byFrame };
+  vtkNew<vtkMultiTriangulationLocator> locators[2];
+  vtkNew<vtkCellPicker> pickers[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    mappers[i]->SetPixelError(1.0);
+    scenes[i]->Render();
+    locators[i]->SetMapper(mappers[i]);
+    pickers[i]->AddLocator(locators[i]);
+  }
+  int hits = 0;
+  for (int pixel = 20; pixel < 300; pixel += 23)
+  {
+    const int found[2] = { pickers[0]->Pick(pixel + 0.5, 150.5, 0.0, byActor.Renderer),
+      pickers[1]->Pick(pixel + 0.5, 150.5, 0.0, byFrame.Renderer) };
+    ASSERT_EQ(found[0], found[1]);
+    hits += found[0];
+    for (int k = 0; k < 3 && found[0]; ++k)
+    {
+      EXPECT_EQ(pickers[0]->GetCellId(), pickers[1]->GetCellId());
+      EXPECT_NEAR(pickers[0]->GetPickPosition()[k], pickers[1]->GetPickPosition()[k], 1e-9);
+    }
+  }
+  EXPECT_GT(hits, 3);
+}
+
+TEST(Placement, CutOfARenderersViewIsWhatTheMapperDraws)
+{
+  const auto model = MakeInput();
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  mapper->SetInputData(model);
+  mapper->SetPixelError(1.5);
+  MTScene scene(mapper);
+  Look(scene);
+  scene.Render();
+  vtkNew<vtkMultiTriangulationCutFilter> filter;
+  filter->SetInputData(model);
+  filter->SetRenderer(scene.Renderer);
+  filter->SetPixelError(1.5);
+  filter->Update();
+  vtkNew<vtkPolyData> drawn;
+  ASSERT_TRUE(mapper->GetCut(drawn));
+  EXPECT_EQ(filter->GetNumberOfTriangles(), drawn->GetNumberOfPolys());
+  EXPECT_GT(filter->GetNumberOfTriangles(), model->GetNumberOfPolys());
+}
