@@ -31,7 +31,7 @@
 #include <memory>
 #include <string>
 
-class vtkMTBuildState;
+class vtkMTSequenceState;
 class vtkMTMemoryPlan;
 class vtkMTPartitionStrategy;
 class vtkMTPatchSink;
@@ -179,7 +179,7 @@ private:
   vtkMTBuildSettings MakeSettings() const;
   bool Configure(const vtkMTTriangleStream& input, vtkMTSpoolStore& store, vtkMTBuildSettings& settings);
   bool Begin(const vtkMTBuildSettings& settings, vtkMTTriangleStream& input, vtkMTPatchSink& output,
-    vtkMTBuildState& state, std::string& identity);
+    vtkMTSequenceState& state, std::string& identity);
   std::string GetIdentity(const vtkMTTriangleStream& input) const;
 
   int PatchTriangles = 1000;

@@ -3,12 +3,12 @@
 #include "MTTestMeshes.h"
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTFarOutliers.h"
 #include "vtkMTInputMesh.h"
 #include "vtkMTMemorySpoolStore.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTVoronoiPartition.h"
 
 #include "vtkCellArray.h"
@@ -59,7 +59,7 @@ bool Read(vtkPolyData* mesh, Input& input, std::string& error, bool keep = false
   settings.Partition = partition;
   settings.Store = &store;
   vtkMTPolyDataStream stream(mesh);
-  vtkMTBuildState state;
+  vtkMTSequenceState state;
   vtkMTInputMesh reader(settings);
   input = Input();
   const bool read = reader.Read(stream, state);
