@@ -57,6 +57,7 @@ class PlantedWords(unittest.TestCase):
         self.assertEqual(wrap_markdown.find_long_lines(wrapped), [])
         self.assertEqual(wrapped.split(), text.split())
         self.assertEqual(wrap_markdown.wrap(wrapped), wrapped)
+        self.assertIn("\n`bmt info model.bmt`", wrap_markdown.wrap("x" * 110 + " `bmt info\nmodel.bmt` and more\n"))
 
     def test_the_command_fails_on_a_hit_and_on_an_empty_tree(self):
         with tempfile.TemporaryDirectory() as folder:
