@@ -25,7 +25,7 @@ foreach (folder IN ITEMS
 endforeach ()
 
 # VTK's components: what the vtk.module files name, and what the command, the examples, the tests and Python add. What
-# is linked must be named here or there, or CMake complains of targets that nobody has found (MPI::MPI_C).
+# is linked must be named here or there, or CMake complains of targets that were not found (MPI::MPI_C).
 set(mt_vtk_components
   CommonColor CommonSystem FiltersCore FiltersGeneral FiltersSources IOImage InteractionStyle RenderingAnnotation
   RenderingFreeType RenderingLOD RenderingUI TestingCore TestingRendering)
