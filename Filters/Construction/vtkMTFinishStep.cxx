@@ -81,6 +81,8 @@ bool vtkMTFinishStep::FinishGraph()
   {
     graph.Settings["far_outliers"] = "kept";
   }
-  graph.Settings["floor_triangles"] = std::to_string(std::llround(2.0 * this->Options.GetRegionTarget()));
+  constexpr int reduction = 2; // a region's floor has so many times the triangles of its fragment
+  graph.Settings["reduction"] = std::to_string(reduction);
+  graph.Settings["floor_triangles"] = std::to_string(std::llround(reduction * this->Options.GetRegionTarget()));
   return this->Sink.Finish(graph, patchOfArc) || this->Fail(this->Sink.GetError());
 }

@@ -47,8 +47,8 @@ bool vtkMTFileDagReader::Open(std::string& error)
   {
     return false;
   }
-  while (!this->IsWhole() &&
-    (this->Graph.GetNumberOfKnownNodes() == 0 || this->Sections.Known < this->Graph.Blobs.size()))
+  while (
+    !this->IsWhole() && (this->Graph.GetNumberOfKnownNodes() == 0 || this->Sections.Known < this->Graph.Blobs.size()))
   {
     if (!this->ReadOn(1, error))
     {
@@ -100,8 +100,8 @@ bool vtkMTFileDagReader::MakeTables(std::string& error)
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   const Column* const all[] = { &this->Nodes, &this->Arcs, &this->Entering, &this->Sections, &this->Measures,
     &this->Ranges };
-  const bool whole = std::all_of(
-    std::begin(all), std::end(all), [](const Column* c) { return c->Block.Size % c->RecordSize == 0; });
+  const bool whole =
+    std::all_of(std::begin(all), std::end(all), [](const Column* c) { return c->Block.Size % c->RecordSize == 0; });
   if (!whole || nodes > most || arcs > most || sections > most || this->Entering.GetNumberOfRecords() != arcs ||
     this->Measures.GetNumberOfRecords() != (measures > 0 ? nodes : 0) ||
     this->Ranges.GetNumberOfRecords() != (columns > 0 ? arcs : 0) || this->Graph.Blobs.size() > sections ||
@@ -477,8 +477,8 @@ bool vtkMTFileDagReader::ReadOn(std::uint64_t bytes, std::string& error)
       }
       this->Missing = &this->Sections;
     }
-    this->Graph.SetNumberOfKnownNodes(
-      static_cast<std::uint32_t>(this->IsWhole() ? this->Next : std::min<std::uint64_t>(this->Next, this->Graph.Nodes.size() - 1)));
+    this->Graph.SetNumberOfKnownNodes(static_cast<std::uint32_t>(
+      this->IsWhole() ? this->Next : std::min<std::uint64_t>(this->Next, this->Graph.Nodes.size() - 1)));
     if (this->IsWhole() || (!isFirst && this->GetBytesRead() - before >= bytes))
     {
       break;
