@@ -6,6 +6,7 @@
 #include "MTTestMeshes.h"
 #include "MTTestModel.h"
 
+#include "vtkMTCut.h"
 #include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
