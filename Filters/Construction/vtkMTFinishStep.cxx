@@ -45,6 +45,8 @@ bool vtkMTFinishStep::FinishGraph()
   {
     settings["far_outliers"] = "kept";
   }
+  constexpr int reduction = 2; // a region's floor has so many times the triangles of its fragment
+  settings["reduction"] = std::to_string(reduction);
   settings["floor_triangles"] = std::to_string(std::llround(this->Options.GetFloorTarget()));
   return vtkMTFinishGraph::Run(this->State, this->Sink, this->Error);
 }

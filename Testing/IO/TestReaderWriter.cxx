@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkMultiTriangulationReader and vtkMultiTriangulationWriter in a pipeline.
+#include "MTFileSeal.h"
 #include "MTIOTest.h"
 #include "MTTestMeshes.h"
 #include "MTTestModel.h"
@@ -134,9 +135,7 @@ TEST(ReaderWriter, ReaderSaysWhatIsWrong)
   bytes.resize(bytes.size() - 1);
   WriteFile(folder / "short.bmt", bytes);
   bytes = ReadFile(folder / "model.bmt");
-  std::uint64_t patches;
-  std::memcpy(&patches, bytes.data() + 64, sizeof(patches));
-  bytes[patches + 50] ^= 1;
+  bytes[MTFileSeal::GetSectionOffset(bytes.data()) + 50] ^= 1;
   WriteFile(folder / "damaged.bmt", bytes);
 
   const std::vector<std::pair<std::string, unsigned long>> cases = { { "", vtkErrorCode::NoFileNameError },
