@@ -6,6 +6,7 @@
 #include "vtkMTSimplifier.h"
 
 #include <cmath>
+#include <sstream>
 #include <map>
 
 bool vtkMTFinishStep::Run()
@@ -45,8 +46,9 @@ bool vtkMTFinishStep::FinishGraph()
   {
     settings["far_outliers"] = "kept";
   }
-  constexpr int reduction = 2; // a region's floor has so many times the triangles of its fragment
-  settings["reduction"] = std::to_string(reduction);
+  std::ostringstream reduction; // of a level: a floor's triangles over its fragment's
+  reduction << this->Options.Reduction;
+  settings["reduction"] = reduction.str();
   settings["floor_triangles"] = std::to_string(std::llround(this->Options.GetFloorTarget()));
   return vtkMTFinishGraph::Run(this->State, this->Sink, this->Error);
 }
