@@ -45,8 +45,8 @@ bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
   vtkMTSequenceState& state = this->State;
-  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
-    input.GetCellTupleSizes(), this->MakesNormals };
+  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(),
+    input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(), this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
   {
     if (array.Role == vtkMTArrayInfo::ExactPoints)

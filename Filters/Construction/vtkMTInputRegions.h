@@ -77,8 +77,8 @@ public:
   bool Take(std::uint32_t region, Region& result);
   ///@}
 
-  std::uint64_t GetUsedPoints() const { return this->UsedPoints; } ///< of the input's
-  std::uint64_t GetSeamWedges() const { return this->SeamWedges; } ///< wedges beyond the first of each point
+  std::uint64_t GetNumberOfUsedPoints() const { return this->UsedPoints; } ///< of the input's
+  std::uint64_t GetNumberOfSeamWedges() const { return this->SeamWedges; } ///< wedges beyond the first of each point
   bool WasAborted() const { return this->Aborted; }
   const std::string& GetError() const { return this->Error; }
 

@@ -51,7 +51,10 @@ public:
   bool Finish();
   ///@}
 
-  std::int64_t GetStitchedEdges() const { return this->StitchedEdges; } ///< pairs of border edges that were joined
+  std::int64_t GetNumberOfStitchedEdges() const
+  {
+    return this->StitchedEdges;
+  } ///< pairs of border edges that were joined
   std::int64_t GetNumberOfWeldedPoints() const
   {
     return this->StitchedPoints;
