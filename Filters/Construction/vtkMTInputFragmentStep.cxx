@@ -100,12 +100,12 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
   }
   {
     const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Pieces))
+    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Components))
     {
       error = this->Orientation->GetError();
       return false;
     }
-    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Pieces))
+    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Components))
     {
       error = this->Normals->GetError();
       return false;

@@ -74,7 +74,7 @@ bool HasNormals(const std::vector<vtkMTArrayInfo>& arrays)
     { return info.Association == vtkMTArrayInfo::Point && info.Attribute == vtkDataSetAttributes::NORMALS; });
 }
 
-// Which of the cell arrays says of what part a triangle is; -1: none.
+// Which of the cell arrays holds the part that a triangle is of; -1: none.
 int FindPartColumn(const std::vector<vtkMTArrayInfo>& arrays)
 {
   int column = -1;

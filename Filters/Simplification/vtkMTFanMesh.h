@@ -8,7 +8,7 @@
  * they run along it in opposite directions; the triangles around a point that hang together through such edges are a
  * fan; every fan becomes a vertex of its own, which remembers its point. Splitting may leave just two of the triangles
  * of a fin at an edge between two fans: these are paired too. A point with several fans must keep its place, so that
- * all of them can be put together again at the end: its vertices are locked. Since an edge that cannot be paired always
+ * all of them can be joined again at the end: its vertices are locked. Since an edge that cannot be paired always
  * has several fans at both ends, all non-manifold places are locked.
  *
  * Triangles with two corners at the same point are left out. Two triangles with the same three points are never paired

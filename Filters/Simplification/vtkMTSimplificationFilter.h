@@ -10,7 +10,7 @@
  * take the values of the input triangle nearest to the new triangle's barycentre. Field data passes.
  *
  * Identity is that of the input's point indices: points that lie at the same place are not merged, so a mesh that is
- * cut open along its seams stays closed only while LockBorder is on.
+ * open along its seams stays closed only while LockBorder is on.
  *
  * Errors (the output is then empty): vtkErrorCode::UserError for points that are not finite numbers, UnknownError when
  * the simplifier fails.
@@ -40,9 +40,9 @@ public:
   ///@}
 
   ///@{
-  /// The part of the triangles to take away. Default 0.5, range 0 to 1, clamped. Not used when TargetTriangles is above
-  /// 0.
-  vtkSetClampMacro(TargetReduction, double, 0.0, 1.0);
+  /// The part of the triangles to take away. Default 0.5, range 0 to 1, clamped; NaN is refused with an error. Not used
+  /// when TargetTriangles is above 0.
+  void SetTargetReduction(double value);
   vtkGetMacro(TargetReduction, double);
   ///@}
 
