@@ -117,7 +117,7 @@ public:
       return false;
     }
     this->SetUpArrays(stream, input.GetPoints().IsSingle());
-    state.Graph.InputTriangles = input.GetNumberOfInputTriangles();
+    state.Graph.InputCounts.Triangles = input.GetNumberOfInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
     state.LevelElements.assign(1, input.GetNumberOfTriangles());

@@ -67,7 +67,7 @@ void vtkMTBuildState::Save(vtkMTBytes::Writer& writer) const
   writer.Put(this->Level);
   writer.Put(this->Graph.Lattice);
   PutArrays(writer, this->Graph.Arrays);
-  writer.Put(this->Graph.InputTriangles);
+  writer.Put(this->Graph.InputCounts);
   writer.PutCounts(this->Graph.InputReport);
   writer.PutCounts(this->Graph.Blocked);
   writer.Put(this->Graph.FullySharedBorders);
@@ -81,7 +81,7 @@ void vtkMTBuildState::Load(vtkMTBytes::Reader& reader)
   this->Level = reader.Take<std::uint32_t>();
   this->Graph.Lattice = reader.Take<vtkMTLattice>();
   TakeArrays(reader, this->Graph.Arrays);
-  this->Graph.InputTriangles = reader.Take<std::uint64_t>();
+  this->Graph.InputCounts = reader.Take<vtkMTInputCounts>();
   reader.TakeCounts(this->Graph.InputReport);
   reader.TakeCounts(this->Graph.Blocked);
   this->Graph.FullySharedBorders = reader.Take<std::uint32_t>();

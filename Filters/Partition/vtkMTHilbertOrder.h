@@ -26,8 +26,8 @@ public:
   static std::vector<std::uint32_t> Sort(const std::vector<Point>& points, int level);
 
   /**
-   * The points' order split into `chunks` parts with the same number of points, give or take one: chunk c has the
-   * places GetChunkBegin(c) to GetChunkBegin(c + 1) of it.
+   * The points' order split into `chunks` chunks whose numbers of points differ by at most one: chunk c has the places
+   * GetChunkBegin(c) to GetChunkBegin(c + 1) of it.
    */
   static std::size_t GetChunkBegin(std::size_t points, std::size_t chunks, std::size_t chunk)
   {

@@ -1,37 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTRendererView.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
-vtkMTView vtkMTRendererView::Make(vtkRenderer* renderer, vtkActor* actor)
+vtkMTView vtkMTRendererView::Make(vtkRenderer* renderer, const double modelToWorld[16])
 {
-  vtkMTView view;
   vtkCamera* camera = renderer->GetActiveCamera();
-  vtkMatrix4x4::Multiply4x4(
-    camera->GetModelViewTransformMatrix()->GetData(), actor->GetMatrix()->GetData(), view.ModelToEye.data());
-  view.UpdateStretch();
-
-  const vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
+  std::array<double, 16> modelToEye;
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(), modelToWorld, modelToEye.data());
+  const double* projection = camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)->GetData();
   const int* size = renderer->GetSize();
-  view.ParallelProjection = projection->GetElement(3, 3) != 0.0;
-  view.PixelsPerUnit = 0.0;
-  for (int i = 0; i < 2; ++i)
-  {
-    const double scale = std::abs(projection->GetElement(i, i));
-    const double shift = std::abs(projection->GetElement(i, view.ParallelProjection ? 3 : 2));
-    view.HalfSize[i] = (1.0 + shift) / scale;
-    view.PixelsPerUnit = std::max(view.PixelsPerUnit, 0.5 * scale * size[i]);
-  }
-  // A little more than what the planes say: the rasteriser rounds, and culling must not.
-  view.Near = camera->GetClippingRange()[0] * (1.0 - 1e-6);
-  view.Far = camera->GetClippingRange()[1] * (1.0 + 1e-6);
+  vtkMTView view =
+    vtkMTView::FromProjection(modelToEye, projection, { size[0], size[1] }, camera->GetClippingRange());
   if (vtkMTRendererView::IsStereo(renderer))
   {
     const double spread = std::tan(camera->GetEyeAngle() * 3.14159265358979323846 / 360.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTRendererView
- * @brief a renderer's camera and viewport as a vtkMTView of what an actor shows
+ * @brief a renderer's camera and viewport as a vtkMTView of a model
  *
  * Read off the camera's own matrices, so parallel projection, oblique and explicit projections, tiles of a large
  * picture and horizontal view angles are covered; where the frustum is not symmetric, the larger half counts. In stereo
@@ -12,12 +12,12 @@
 
 #include "vtkMTView.h"
 
-class vtkActor;
 class vtkRenderer;
 
 struct vtkMTRendererView
 {
-  static vtkMTView Make(vtkRenderer* renderer, vtkActor* actor);
+  /// modelToWorld is row-major: where actor and frame put the model.
+  static vtkMTView Make(vtkRenderer* renderer, const double modelToWorld[16]);
   /// Whether two eyes look: then what one of them sees may lie outside the view.
   static bool IsStereo(vtkRenderer* renderer);
   static bool IsSame(const vtkMTView& a, const vtkMTView& b);

@@ -3,6 +3,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMTCutMesh.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTRendererView.h"
 #include "vtkMatrix4x4.h"
@@ -138,15 +139,16 @@ void vtkMultiTriangulationMapper::ComputeBounds()
 {
   if (this->HasPatches())
   {
-    const std::array<double, 6>& bounds = this->GetModelBounds();
-    std::copy(bounds.begin(), bounds.end(), this->Bounds);
+    vtkMTPlacement placement;
+    GetModel(this->GetInput())->GetFrame(placement.Matrix.data());
+    placement.ToObject(this->GetModelBounds().data(), this->Bounds);
     return;
   }
   this->Superclass::ComputeBounds();
 }
 
 //------------------------------------------------------------------------------
-// Asked several times a frame, and to be found from all arcs.
+// On the lattice, wherever the input's frame puts it. Asked several times a frame, and to be found from all arcs.
 const std::array<double, 6>& vtkMultiTriangulationMapper::GetModelBounds()
 {
   Internals& self = *this->Implementation;
@@ -205,7 +207,10 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
     return false;
   }
   std::string error;
-  if (!vtkMultiTriangulation::CutToPolyData(*this->Implementation->Keeper.GetSource(), last->Cut, output, error))
+  vtkMTCutMesh mesh;
+  mesh.Arcs = last->Cut.GetArcs();
+  mesh.Placement = &this->Implementation->Placement;
+  if (!mesh.Make(*this->Implementation->Keeper.GetSource(), output, error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -226,6 +231,10 @@ void vtkMultiTriangulationMapper::FollowInput()
   Internals& self = *this->Implementation;
   vtkMultiTriangulation* model = GetModel(this->GetInput());
   const std::shared_ptr<const vtkMTPatchSource> source = model ? model->GetSource() : nullptr;
+  if (model)
+  {
+    model->GetFrame(self.Placement.Matrix.data());
+  }
   if (self.Keeper.SetSource(source))
   {
     self.Cut = nullptr;
@@ -391,9 +400,9 @@ void vtkMultiTriangulationMapper::UpdateOrigin(vtkRenderer* renderer, vtkActor* 
   vtkCamera* camera = renderer->GetActiveCamera();
   double place[4] = { 0.0, 0.0, 0.0, 1.0 };
   camera->GetParallelProjection() ? camera->GetFocalPoint(place) : camera->GetPosition(place);
-  vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(actor->GetMatrix(), inverse);
-  inverse->MultiplyPoint(place, place);
+  double inverse[16];
+  vtkMatrix4x4::Invert(this->Implementation->GetModelToWorld(actor).data(), inverse);
+  vtkMatrix4x4::MultiplyPoint(inverse, place, place);
   const std::array<double, 6>& bounds = this->GetModelBounds();
   for (int i = 0; i < 3; ++i)
   {

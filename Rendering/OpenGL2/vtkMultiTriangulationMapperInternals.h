@@ -3,13 +3,16 @@
 #ifndef vtkMultiTriangulationMapperInternals_h
 #define vtkMultiTriangulationMapperInternals_h
 
+#include "vtkActor.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchArena.h"
 #include "vtkMTPatchCache.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPatchStreams.h"
+#include "vtkMTPlacement.h"
 #include "vtkMTRendererCuts.h"
 #include "vtkMTView.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderTimer.h"
@@ -63,9 +66,18 @@ struct vtkMultiTriangulationMapper::Internals
   };
   Uploaded LastUpload;
 
+  vtkMTPlacement Placement; // the input's frame
+
   std::uint64_t LessTriangles = 0; // a limit for the next cut: the last one did not fit into the arena
 
   const vtkMTGraph& Graph() const { return this->Keeper.GetSource()->GetGraph(); }
+  /// Row-major: the input's frame, and then the actor's matrix.
+  std::array<double, 16> GetModelToWorld(vtkActor* actor) const
+  {
+    vtkMTPlacement sum = this->Placement;
+    sum.Append(actor->GetMatrix()->GetData());
+    return sum.Matrix;
+  }
   int GetIndicesPerTriangle() const { return this->Plan.Edges ? 6 : 3; }
   int GetBytesPerIndex() const { return this->Plan.ShortIndices ? 2 : 4; }
 };

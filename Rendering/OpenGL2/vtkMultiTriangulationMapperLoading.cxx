@@ -46,12 +46,14 @@ bool vtkMultiTriangulationMapper::WaitsFor(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// Lines and points are drawn from whatever side they are seen.
+// Lines and points are drawn from whatever side they are seen. A frame that mirrors turns the triangles, and the cones
+// that say what faces away are those of the lattice.
 bool vtkMultiTriangulationMapper::LeavesOutWhatFacesAway(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
   return this->FacingCulling && property->GetBackfaceCulling() && property->GetRepresentation() == VTK_SURFACE &&
-    !property->GetVertexVisibility() && !vtkMTRendererView::IsStereo(renderer);
+    !property->GetVertexVisibility() && !vtkMTRendererView::IsStereo(renderer) &&
+    !this->Implementation->Placement.IsMirrored();
 }
 
 //------------------------------------------------------------------------------
@@ -59,7 +61,7 @@ void vtkMultiTriangulationMapper::FillFrame(vtkRenderer* renderer, vtkActor* act
 {
   Internals& self = *this->Implementation;
   vtkMTRendererCuts::Frame& frame = self.Frame;
-  frame.View = vtkMTRendererView::Make(renderer, actor);
+  frame.View = vtkMTRendererView::Make(renderer, self.GetModelToWorld(actor).data());
   // A frozen cut that does not fit cannot stay.
   frame.Freeze = this->FreezeCut && self.LessTriangles == 0;
   frame.Advance = this->IsNewFrame(renderer, actor);

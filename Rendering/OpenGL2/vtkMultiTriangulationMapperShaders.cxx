@@ -116,10 +116,12 @@ void vtkMultiTriangulationMapper::SetClippingPlanes(vtkOpenGLHelper& cellBO, vtk
   const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
   const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
   float equations[Maximum][4] = {};
+  vtkNew<vtkMatrix4x4> modelToWorld;
+  modelToWorld->DeepCopy(this->Implementation->GetModelToWorld(actor).data());
   for (int i = 0; i < count; ++i)
   {
     double plane[4];
-    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    this->GetClippingPlaneInDataCoords(modelToWorld, i, plane);
     // In steps all along, and of a length near 1, so that the smallest and largest models stay within the range of
     // floats; the shader looks at the sign only.
     const double unit = GetUnit(std::max({ std::abs(plane[0]), std::abs(plane[1]), std::abs(plane[2]) }));
@@ -158,7 +160,14 @@ void vtkMultiTriangulationMapper::SetCameraShaderParameters(
     toWorld->SetElement(i, i, lattice.Step);
     toWorld->SetElement(3, i, origin[i]);
   }
-  if (!actor->GetIsIdentity())
+  const vtkMTPlacement& placement = this->Implementation->Placement;
+  if (!placement.IsIdentity())
+  {
+    double transposed[16];
+    vtkMatrix4x4::Transpose(placement.Matrix.data(), transposed);
+    vtkMatrix4x4::Multiply4x4(toWorld->GetData(), transposed, toWorld->GetData());
+  }
+  if (!actor->GetIsIdentity() || !placement.IsIdentity())
   {
     vtkMatrix4x4* modelToWorld;
     vtkMatrix3x3* normals;
@@ -194,7 +203,20 @@ void vtkMultiTriangulationMapper::SetNormalMatrix(
   {
     return;
   }
+  // VTK's normal matrices are inverses, transposed as OpenGL wants them: that of a product has the other order.
+  const std::array<double, 16> inverse = this->Implementation->Placement.GetInverse().Matrix;
+  double most = 0.0;
+  for (int i = 0; i < 12; ++i)
+  {
+    most = i % 4 == 3 ? most : std::max(most, std::abs(inverse[i]));
+  }
+  vtkNew<vtkMatrix3x3> frame;
+  for (int i = 0; i < 9; ++i)
+  {
+    frame->SetElement(i / 3, i % 3, inverse[4 * (i / 3) + i % 3] * GetUnit(most));
+  }
   vtkMatrix3x3::Multiply3x3(modelToWorld, worldToView, this->TempMatrix3);
+  vtkMatrix3x3::Multiply3x3(frame, this->TempMatrix3, this->TempMatrix3);
   double* elements = this->TempMatrix3->GetData();
   double largest = 0.0;
   for (int i = 0; i < 9; ++i)

@@ -66,7 +66,7 @@ bool Read(vtkPolyData* mesh, Input& input, std::string& error, bool keep = false
   error = reader.GetError();
   input.Warning = reader.GetWarning();
   input.Report = state.Graph.InputReport;
-  input.InputTriangles = state.Graph.InputTriangles;
+  input.InputTriangles = state.Graph.InputCounts.Triangles;
   input.Lattice = state.Graph.Lattice;
   for (std::size_t region = 0; read && region < state.Fragments.GetNumberOfKeys(); ++region)
   {

@@ -15,7 +15,7 @@ vtkMTBuildState MakeState()
   state.Level = 3;
   state.Graph.Lattice.Step = 0.25;
   state.Graph.Lattice.MaximumShift = 0.1;
-  state.Graph.InputTriangles = 77;
+  state.Graph.InputCounts.Triangles = 77;
   state.Graph.InputReport = { { "dropped_degenerate", 2 }, { "isolated_points", 1 } };
   state.Graph.Blocked = { { "locked", 5 } };
   state.Graph.FullySharedBorders = 4;
@@ -62,7 +62,7 @@ TEST(BuildState, LoadGivesBackWhatSaveKept)
   EXPECT_EQ(loaded.Level, 3u);
   EXPECT_EQ(loaded.Graph.Lattice.Step, 0.25);
   EXPECT_EQ(loaded.Graph.Lattice.MaximumShift, 0.1);
-  EXPECT_EQ(loaded.Graph.InputTriangles, 77u);
+  EXPECT_EQ(loaded.Graph.InputCounts.Triangles, 77u);
   EXPECT_EQ(loaded.Graph.InputReport, state.Graph.InputReport);
   EXPECT_EQ(loaded.Graph.Blocked, state.Graph.Blocked);
   EXPECT_EQ(loaded.Graph.FullySharedBorders, 4u);
