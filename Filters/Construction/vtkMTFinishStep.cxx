@@ -6,8 +6,8 @@
 #include "vtkMTSimplifier.h"
 
 #include <cmath>
-#include <sstream>
 #include <map>
+#include <sstream>
 
 bool vtkMTFinishStep::Run()
 {
