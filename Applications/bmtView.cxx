@@ -28,7 +28,8 @@ const char* const Keys = "f       freeze the cut, or let it follow the camera ag
                          "h       show or hide these keys\n"
                          "q       quit";
 
-// The line of figures is drawn in a layer of its own, after the model: it speaks of the frame in which it is seen.
+// The line of figures is drawn in a layer of its own, after the model: its figures are those of the frame in which it
+// is seen.
 class Figures
 {
 public:

@@ -74,8 +74,8 @@ public:
    * infinity, the default, is the coarsest cut of all, and NaN is taken for it. It returns false, with an error event,
    * when a patch cannot be read, and is then empty. The frame is the identity again.
    */
-  bool SetSource(std::shared_ptr<const vtkMTPatchSource> source,
-    double error = std::numeric_limits<double>::infinity());
+  bool SetSource(
+    std::shared_ptr<const vtkMTPatchSource> source, double error = std::numeric_limits<double>::infinity());
   /// Null when there is none, and from the moment when the points have been replaced.
   std::shared_ptr<const vtkMTPatchSource> GetSource() const;
   ///@}
@@ -140,7 +140,7 @@ private:
   std::shared_ptr<const vtkMTPatchSource> Source;
   vtkSmartPointer<vtkPoints> SourcePoints; // those which the handle belongs to
   std::array<double, 16> Frame;
-  bool CutIsChosen = false; // the points and cells are what somebody asked for
+  bool CutIsChosen = false; // the points and cells are a cut that was asked for
   bool HasWarned = false;
   std::vector<vtkWeakPointer<vtkAlgorithm>> TrivialProducers;
 };
