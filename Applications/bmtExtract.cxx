@@ -151,8 +151,7 @@ bmtJson ExtractCut(const Options& options, const std::shared_ptr<const vtkMTPatc
   filter->SetInputData(model);
   ChooseCut(options, filter);
   vtkNew<vtkCallbackCommand> interruption;
-  interruption->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
+  interruption->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(bmtIsInterrupted() ? 1 : 0); });
   filter->AddObserver(vtkCommand::ProgressEvent, interruption);
   filter->Update();
