@@ -2,331 +2,269 @@
 #include "bmtCommon.h"
 #include "bmtInput.h"
 #include "bmtModel.h"
-#include "bmtModelSink.h"
-#include "bmtWorkspace.h"
 
 #include "vtkMTEdgeCollapse.h"
-#include "vtkMTFileSink.h"
-#include "vtkMTPartitionStrategy.h"
+#include "vtkMTFileBuildReport.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTPolyDataStream.h"
 #include "vtkMTRegularPartition.h"
-#include "vtkMTSimplifier.h"
 #include "vtkMTStageTimes.h"
-#include "vtkMTVoronoiPartition.h"
-#include "vtkMultiTriangulationBuilder.h"
+#include "vtkMultiTriangulationFileBuilder.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkExecutive.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
-#include <limits>
+#include <map>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
+
 namespace
 {
+using Builder = vtkMultiTriangulationFileBuilder;
+
 struct Options
 {
+  vtkNew<Builder> Settings; // by the options that are not kept here
   bmtInput Input;
   std::string Output;
   std::string Partition = "v";
   std::string Simplifier = "fast";
-  int PatchTriangles = 1000;
-  int LatticeBits = 24;
-  int Threads = 0;
-  double Precision = 0.0;
-  std::string Compression = "fast";
-  std::vector<std::string> Arrays;
-  CLI::Option* ArraysOption = nullptr;
-  bool NoNormals = false;
-  bool NoIds = false;
-  bool KeepFarOutliers = false;
-  bool Exact = false;
-  bmtWorkspaceOptions Workspace;
+  std::string Memory; // a size; empty: a quarter of the machine's
 };
 
-void Advance(vtkObject* caller, unsigned long, void* client, void* fraction)
+//------------------------------------------------------------------------------
+// Options to settings
+vtkTypeInt64 ParseSize(const std::string& text)
 {
-  vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller);
-  const char* text = algorithm->GetProgressText();
-  static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction), text ? text : "");
-  if (bmtIsInterrupted())
+  char* end = nullptr;
+  double bytes = std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string prefixes = "kmgt";
+  const std::size_t prefix = unit.empty() ? std::string::npos : prefixes.find(unit[0]);
+  const std::string rest = unit.substr(prefix == std::string::npos ? 0 : 1);
+  const bool isDecimal = rest == "b"; // "kb"; "k" and "kib" are powers of two
+  bytes *= prefix == std::string::npos ? 1.0 : std::pow(isDecimal ? 1000.0 : 1024.0, static_cast<double>(prefix + 1));
+  const bool isUnit = rest.empty() || isDecimal || (rest == "ib" && prefix != std::string::npos);
+  if (isUnit && end != text.c_str() && bytes >= 1.0 && bytes < 1e18)
   {
-    algorithm->AbortExecuteOn();
+    return static_cast<vtkTypeInt64>(bytes);
+  }
+  throw bmtError("\"" + text + "\" is no size; say 512MiB, 1.5GiB or a number of bytes");
+}
+
+void ConfigureInput(const Options& options, Builder* builder)
+{
+  for (const std::string& path : options.Input.Paths)
+  {
+    builder->AddFileName(path.c_str());
+  }
+  if (options.Input.IsoValue)
+  {
+    builder->SetIsoValue(*options.Input.IsoValue);
+  }
+  builder->SetGradientNormals(options.Input.GradientNormals);
+  builder->SetVerticalScale(options.Input.VerticalScale);
+  builder->SetDegrees(options.Input.Degrees);
+  if (builder->GetVerticalScale() != options.Input.VerticalScale ||
+    builder->GetIsoValue() != options.Input.IsoValue.value_or(0.0))
+  {
+    throw bmtError("nothing was built"); // the builder has said why
   }
 }
 
-void Configure(const Options& options, int latticeBits, vtkMultiTriangulationBuilder* builder)
+void Configure(const Options& options, Builder* builder)
 {
+  ConfigureInput(options, builder);
+  builder->SetOutputFileName(options.Output.c_str());
   if (options.Partition == "regular")
   {
     builder->SetPartitionStrategy(vtkNew<vtkMTRegularPartition>());
   }
-  else
-  {
-    builder->SetPartitionStrategy(vtkNew<vtkMTVoronoiPartition>());
-  }
   vtkNew<vtkMTEdgeCollapse> simplifier;
   simplifier->SetModeByName(options.Simplifier.c_str());
   builder->SetSimplifier(simplifier);
-  builder->SetPatchTriangles(options.PatchTriangles);
-  builder->SetLatticeBits(latticeBits);
-  builder->SetNumberOfThreads(options.Threads);
-  builder->SetMakeNormals(!options.NoNormals);
-  builder->SetKeepFarOutliers(options.KeepFarOutliers);
-  builder->SetExactPoints(options.Exact);
+  builder->SetMemoryLimit(options.Memory.empty() ? Builder::GetDefaultMemoryLimit() : ParseSize(options.Memory));
 }
 
-// Of all points that are finite.
-std::array<double, 6> GetBounds(vtkMTTriangleStream& stream)
-{
-  constexpr double most = std::numeric_limits<double>::max();
-  std::array<double, 6> bounds{ most, -most, most, -most, most, -most };
-  vtkMTTriangleStream::PointBlock block;
-  bool good = stream.Rewind();
-  while (good && (good = stream.NextPoints(block)) && !block.Points.empty())
-  {
-    for (const std::array<double, 3>& point : block.Points)
-    {
-      for (std::size_t i = 0; i < 3 && std::isfinite(point[0] + point[1] + point[2]); ++i)
-      {
-        bounds[2 * i] = std::min(bounds[2 * i], point[i]);
-        bounds[2 * i + 1] = std::max(bounds[2 * i + 1], point[i]);
-      }
-    }
-  }
-  if (!good)
-  {
-    throw bmtError(stream.GetError());
-  }
-  return bounds[0] <= bounds[1] ? bounds : std::array<double, 6>{};
-}
-
-// The bits that keep every point within the precision.
-int GetLatticeBits(const Options& options, vtkMTTriangleStream& stream)
-{
-  if (!(options.Precision > 0.0))
-  {
-    return options.LatticeBits;
-  }
-  const std::array<double, 6> bounds = GetBounds(stream);
-  for (int bits = vtkMTLattice::MinimumBits; bits <= vtkMTLattice::MaximumBits; ++bits)
-  {
-    if (vtkMTLattice::FromBounds(bounds.data(), bits).MaximumShift <= options.Precision)
-    {
-      return bits;
-    }
-  }
-  std::ostringstream message;
-  message << "--precision " << options.Precision
-          << " is finer than a lattice of 2^31 steps over this mesh resolves; the least is "
-          << vtkMTLattice::FromBounds(bounds.data(), vtkMTLattice::MaximumBits).MaximumShift;
-  throw bmtError(message.str());
-}
-
-vtkMTFileSink::CompressionType GetCompression(const std::string& name)
-{
-  return name == "none" ? vtkMTFileSink::None : (name == "small" ? vtkMTFileSink::Small : vtkMTFileSink::Fast);
-}
-
-// What has an influence on the file: the input's bytes and the settings, as a hash.
-std::string GetIdentity(const Options& options, const bmtInputFiles& files, vtkMultiTriangulationBuilder* builder)
-{
-  const bmtInput& input = options.Input;
-  std::ostringstream text;
-  text.precision(17);
-  text << files.GetHash();
-  for (const std::string& path : input.Paths) // the ending says what a file is, the name of a tile where it lies
-  {
-    text << ", " << std::filesystem::path(path).filename().string();
-  }
-  text << "; iso " << input.Iso.value_or(0.0) << input.Iso.has_value() << input.GradientNormals << "; heights by "
-       << input.VerticalScale << input.Degrees << "; patches of " << options.PatchTriangles << ", "
-       << options.LatticeBits << " bits, precision " << options.Precision << ", " << options.Compression << "; "
-       << options.NoNormals << options.NoIds << options.KeepFarOutliers << "; "
-       << builder->GetPartitionStrategy()->GetSettings() << "; " << builder->GetSimplifier()->GetSettings();
-  if (options.ArraysOption->count() > 0)
-  {
-    for (const std::string& name : options.Arrays)
-    {
-      text << "; " << name;
-    }
-  }
-  return bmtHash(text.str());
-}
-
-// Whether the output is there already, as this build would make it.
-bool IsFinished(const std::string& output, const std::string& identity)
-{
-  std::error_code code;
-  if (!std::filesystem::exists(output, code) || !bmtIsModel(output))
-  {
-    return false;
-  }
-  const std::shared_ptr<const vtkMTPatchSource> model = bmtOpenModel(output);
-  const auto& settings = model->GetGraph().Settings;
-  const auto found = settings.find("build");
-  return found != settings.end() && found->second == identity;
-}
-
-void RunBuilder(vtkMultiTriangulationBuilder* builder, const Options& options, bmtWorkspace& workspace,
-  vtkMTTriangleStream& stream, const bmtInputReport& report)
-{
-  workspace.Prepare(stream, builder);
-  vtkMTFileSink sink(options.Output, GetCompression(options.Compression), workspace.GetStore());
-  bmtModelSink model(sink, report.Textures, !options.NoIds, builder->GetInputIdentity());
-  bmtProgress progress("building");
-  vtkNew<vtkCallbackCommand> advance;
-  advance->SetCallback(Advance);
-  advance->SetClientData(&progress);
-  builder->AddObserver(vtkCommand::ProgressEvent, advance);
-  const bmtInterruptWatch watch(0.6, [&workspace] { return workspace.Leave(); });
-  if (!builder->Build(stream, model))
-  {
-    const std::string advice = workspace.GetAdvice(builder->GetHasCheckpoint());
-    if (bmtIsInterrupted())
-    {
-      throw bmtInterrupt("interrupted; " + options.Output + " is as it was" + advice);
-    }
-    throw bmtError(options.Output + " was not written: " + builder->GetErrorMessage() + advice);
-  }
-}
-
-// What the input refers to and the file holds as blobs.
-bmtJson DescribeTextures(const bmtInputReport& report)
-{
-  bmtJson list = bmtJson::array();
-  for (const vtkMTTexture& texture : report.Textures)
-  {
-    bmtJson entry;
-    entry["name"] = texture.Name;
-    entry["type"] = texture.MimeType;
-    entry["bytes"] = texture.Bytes.size();
-    entry["coordinates"] = texture.Coordinates;
-    entry["material"] = texture.Material;
-    entry["part"] = texture.Part;
-    list.push_back(entry);
-  }
-  return list;
-}
-
-// A mesh that can be streamed is; everything else is read.
-std::unique_ptr<vtkMTTriangleStream> OpenInput(const Options& options, const bmtInputFiles& files,
-  const bmtWorkspace& workspace, vtkPolyData* mesh, bmtInputReport& report)
-{
-  std::unique_ptr<vtkMTTriangleStream> stream =
-    bmtStreamInput(options.Input, workspace.GetScratch(), workspace.GetLimit(), report);
-  if (!stream)
-  {
-    report = bmtReadInput(options.Input, mesh);
-    stream = std::make_unique<vtkMTPolyDataStream>(mesh);
-  }
-  const std::vector<std::string>* keep = options.ArraysOption->count() > 0 ? &options.Arrays : nullptr;
-  return std::make_unique<bmtInputStream>(std::move(stream), files, report.Counts, keep);
-}
-
-// reading: CPU and wall seconds that went into opening the input.
-bmtJson DescribeStages(const vtkMTStageTimes& times, const std::array<double, 2>& reading)
+//------------------------------------------------------------------------------
+// The report
+bmtJson DescribeStages(const vtkMTStageTimes& times, const vtkMTFileBuildReport& report)
 {
   bmtJson stages = bmtJson::object();
   for (int i = 0; i < vtkMTStageTimes::NumberOfStages; ++i)
   {
     const auto stage = static_cast<vtkMTStageTimes::StageType>(i);
     const bool isReading = stage == vtkMTStageTimes::Read;
-    bmtJson& entry = stages[vtkMTStageTimes::GetName(stage)];
-    entry["cpu_seconds"] = times.GetCpuSeconds(stage) + (isReading ? reading[0] : 0.0);
-    entry["wall_seconds"] = times.GetWallSeconds(stage) + (isReading ? reading[1] : 0.0);
+    stages[vtkMTStageTimes::GetName(stage)] = {
+      { "cpu_seconds", times.GetCpuSeconds(stage) + (isReading ? report.ReadingCpuSeconds : 0.0) },
+      { "wall_seconds", times.GetWallSeconds(stage) + (isReading ? report.ReadingWallSeconds : 0.0) }
+    };
   }
   return stages;
 }
 
-bmtJson DescribeInput(const bmtInputReport& report)
+void DescribeInput(const vtkMTBuildInput::Result& input, bmtJson& result)
 {
-  bmtJson result = bmtJson::object();
-  if (!report.Textures.empty() || !report.Problems.empty())
+  if (!input.Textures.empty() || !input.Problems.empty())
   {
-    result["textures_of_input"] = DescribeTextures(report);
-    result["texture_problems"] = report.Problems;
+    bmtJson list = bmtJson::array();
+    for (const vtkMTTexture& texture : input.Textures)
+    {
+      list.push_back({ { "name", texture.Name }, { "type", texture.MimeType }, { "bytes", texture.Bytes.size() },
+        { "coordinates", texture.Coordinates }, { "material", texture.Material }, { "part", texture.Part } });
+    }
+    result["textures_of_input"] = list;
+    result["texture_problems"] = input.Problems;
   }
-  if (!report.Parts.empty())
+  for (const vtkMTBuildInput::Part& part : input.Parts)
   {
-    result["parts"] = report.Parts;
+    result["parts"].push_back({ { "id", result["parts"].size() }, { "files", part.Files }, { "cells", part.Cells } });
   }
+}
+
+std::uint64_t GetPeakMemory()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+bmtJson DescribeBuild(Builder* builder)
+{
+  const vtkMTFileBuildReport& report = builder->GetReport();
+  bmtJson result;
+  result["output"] = builder->GetOutputFileName();
+  if (report.WasFinished)
+  {
+    result["was_finished"] = true;
+    return result;
+  }
+  result["seconds"] = report.WallSeconds;
+  result["cpu_seconds"] = report.CpuSeconds;
+  result["triangles_per_cpu_second"] = static_cast<double>(report.InputTriangles) / std::max(1e-9, report.CpuSeconds);
+  result["reading_seconds"] = report.ReadingWallSeconds;
+  result["levels_seconds"] = builder->GetStageTimes().GetLevelSeconds();
+  result["stages"] = DescribeStages(builder->GetStageTimes(), report);
+  result["input_streamed"] = report.Input.IsStreamed;
+  result["memory_limit_bytes"] = report.MemoryLimit;
+  result["peak_memory_bytes"] = GetPeakMemory();
+  result["temporary_bytes"] = report.TemporaryBytes;
+  result["temporary_bytes_estimated"] = report.TemporaryBytesEstimated;
+  DescribeInput(report.Input, result);
   return result;
 }
 
-// From nothing, or from a checkpoint.
-bmtJson BuildModel(const Options& options, const bmtInputFiles& files, vtkMultiTriangulationBuilder* builder)
+std::string GetResumeAdvice(const Builder* builder, bool hasCheckpoint)
 {
-  const double wall = bmtWallSeconds();
-  const double cpu = bmtCpuSeconds();
-  bmtWorkspace workspace(options.Workspace, options.Output);
-  vtkNew<vtkPolyData> mesh;
-  bmtInputReport report;
-  std::unique_ptr<vtkMTTriangleStream> stream;
-  {
-    // Nothing can be lost yet.
-    const bmtInterruptWatch watch(0.0, [] { return std::string(bmtInterrupt().what()); });
-    stream = OpenInput(options, files, workspace, mesh, report);
-    builder->SetLatticeBits(GetLatticeBits(options, *stream));
-  }
-  const std::array<double, 2> reading{ bmtCpuSeconds() - cpu, bmtWallSeconds() - wall };
-  RunBuilder(builder, options, workspace, *stream, report);
+  return hasCheckpoint
+    ? "; the same command with --resume goes on from the last checkpoint, in " + builder->GetWorkFolder()
+    : "";
+}
 
-  bmtJson result;
-  result["output"] = options.Output;
-  result["seconds"] = bmtWallSeconds() - wall;
-  result["cpu_seconds"] = bmtCpuSeconds() - cpu;
-  result["triangles_per_cpu_second"] =
-    static_cast<double>(stream->GetNumberOfTriangles()) / std::max(1e-9, bmtCpuSeconds() - cpu);
-  result["reading_seconds"] = reading[1];
-  result["levels_seconds"] = builder->GetStageTimes().GetLevelSeconds();
-  result["stages"] = DescribeStages(builder->GetStageTimes(), reading);
-  result["input_streamed"] = mesh->GetNumberOfPoints() == 0;
-  workspace.Describe(result);
-  result.update(DescribeInput(report));
-  return result;
+// Errors are thrown here; what the library would say itself is kept quiet.
+void Run(Builder* builder)
+{
+  bmtProgress progress("building");
+  bmtFollow(builder, progress);
+  const vtkNew<vtkCallbackCommand> quiet;
+  builder->AddObserver(vtkCommand::ErrorEvent, quiet);
+  builder->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
+  const std::string interrupted = "interrupted; " + std::string(builder->GetOutputFileName()) + " is as it was";
+  const bmtInterruptWatch watch(
+    0.6, [builder, interrupted] { return interrupted + GetResumeAdvice(builder, builder->ReleaseFilesBeforeExit()); });
+  if (!builder->Write())
+  {
+    const std::string advice = GetResumeAdvice(builder, builder->GetHasCheckpoint());
+    if (bmtIsInterrupted())
+    {
+      throw bmtInterrupt(interrupted + advice);
+    }
+    throw bmtError(builder->GetErrorMessage() + bmtGetAdvice(builder->GetErrorCode()) + advice);
+  }
 }
 
 bmtJson Build(const Options& options)
 {
-  bmtRequireWritable(options.Output);
-  for (const std::string& path : options.Input.Paths)
-  {
-    bmtRequireReadable(path);
-  }
-  vtkNew<vtkMultiTriangulationBuilder> builder;
-  Configure(options, options.LatticeBits, builder);
-  const bmtInputFiles files(options.Input.Paths);
-  std::string identity;
-  {
-    const bmtInterruptWatch watch(0.0, [] { return std::string(bmtInterrupt().what()); });
-    identity = GetIdentity(options, files, builder);
-  }
-  builder->SetInputIdentity(identity.c_str());
-  bmtJson result;
-  if (options.Workspace.Resume && IsFinished(options.Output, identity))
-  {
-    bmtWorkspace(options.Workspace, options.Output).RemoveCheckpoint();
-    result["output"] = options.Output;
-    result["was_finished"] = true;
-  }
-  else
-  {
-    result = BuildModel(options, files, builder);
-  }
+  Builder* builder = options.Settings;
+  Configure(options, builder);
+  Run(builder);
+  bmtJson result = DescribeBuild(builder);
   result.update(bmtDescribeModel(bmtOpenModel(options.Output)->GetGraph(), std::filesystem::file_size(options.Output)));
   return result;
+}
+
+//------------------------------------------------------------------------------
+template <class Value>
+CLI::Option* AddSetting(
+  CLI::App& command, const char* name, Builder* builder, void (Builder::*set)(Value), const char* text)
+{
+  return command.add_option_function<Value>(
+    name, [=](const Value& value) { (builder->*set)(value); }, text);
+}
+
+void AddSettings(CLI::App& command, Builder* builder)
+{
+  AddSetting(
+    command, "--patch-triangles", builder, &Builder::SetPatchTriangles, "Wanted mean number of triangles in a patch")
+    ->check(CLI::Range(16, 16384))
+    ->default_str("1000");
+  AddSetting(
+    command, "--lattice-bits", builder, &Builder::SetLatticeBits, "The longest side has at most 2^N lattice steps")
+    ->check(CLI::Range(10, 31))
+    ->default_str("24");
+  AddSetting(command, "--threads", builder, &Builder::SetNumberOfThreads,
+    "Threads; 0: as many as there are processors. No influence on the file")
+    ->check(CLI::Range(0, 1024))
+    ->default_str("0");
+  AddSetting(command, "--precision", builder, &Builder::SetPrecision,
+    "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
+    ->check(CLI::PositiveNumber);
+  const std::map<std::string, int> compressions{ { "none", Builder::NoCompression },
+    { "fast", Builder::FastCompression }, { "small", Builder::SmallCompression } };
+  command
+    .add_option_function<std::string>(
+      "--compression", [=](const std::string& name) { builder->SetCompression(compressions.at(name)); },
+      "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
+    ->check(CLI::IsMember({ "none", "fast", "small" }))
+    ->default_str("fast");
+  command
+    .add_option_function<std::vector<std::string>>(
+      "--arrays",
+      [=](const std::vector<std::string>& names)
+      {
+        builder->KeepAllArraysOff();
+        std::for_each(
+          names.begin(), names.end(), [=](const std::string& name) { builder->AddArrayName(name.c_str()); });
+      },
+      "The input's arrays to keep, with commas between; \"\": none")
+    ->delimiter(',');
+  const auto flag = [&](const char* name, void (Builder::*set)(), const char* text)
+  {
+    command.add_flag_callback(
+      name, [=] { (builder->*set)(); }, text);
+  };
+  flag("--no-ids", &Builder::KeepIdsOff, "Do not keep the input's cell ids, by which picking finds cells");
+  flag("--exact", &Builder::ExactPointsOn,
+    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
+  flag("--keep-far-outliers", &Builder::KeepFarOutliersOn,
+    "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
+  flag("--no-normals", &Builder::MakeNormalsOff, "Make no smooth normals where the input has none");
+  flag("--resume", &Builder::ResumeOn, "Go on with the build that was interrupted, if there is one");
+  command.add_option_function<std::string>(
+    "--temp", [=](const std::string& folder) { builder->SetTemporaryFolder(folder.c_str()); },
+    "Folder for temporary files; default: that of the output");
 }
 
 void AddOptions(CLI::App& command, Options& options)
@@ -334,46 +272,21 @@ void AddOptions(CLI::App& command, Options& options)
   command.add_option("INPUT", options.Input.Paths, std::string("What to build from: ") + bmtGetInputKinds())
     ->required();
   command.add_option("-o,--output", options.Output, "The Multi-Triangulation file to write")->required();
+  bmtAddInputOptions(command, options.Input);
   command
     .add_option(
       "--partition", options.Partition, "How regions are placed: v (Voronoi) or regular (cube, face and edge centres)")
     ->check(CLI::IsMember({ "v", "regular" }))
-    ->capture_default_str();
-  bmtAddInputOptions(command, options.Input);
-  command.add_option("--patch-triangles", options.PatchTriangles, "Wanted mean number of triangles in a patch")
-    ->check(CLI::Range(16, 16384))
     ->capture_default_str();
   command
     .add_option("--simplifier", options.Simplifier,
       "fast (memoryless), best (stock loop), or CGAL's own lindstrom-turk and garland-heckbert")
     ->check(CLI::IsMember({ "fast", "best", "lindstrom-turk", "garland-heckbert" }))
     ->capture_default_str();
-  command.add_option("--lattice-bits", options.LatticeBits, "The longest side has at most 2^N lattice steps")
-    ->check(CLI::Range(10, 31))
-    ->capture_default_str();
-  command
-    .add_option("--threads", options.Threads, "Threads; 0: as many as there are processors. No influence on the file")
-    ->check(CLI::Range(0, 1024))
-    ->capture_default_str();
-  command
-    .add_option("--precision", options.Precision,
-      "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
-    ->check(CLI::PositiveNumber);
-  command
-    .add_option("--compression", options.Compression,
-      "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
-    ->check(CLI::IsMember({ "none", "fast", "small" }))
-    ->capture_default_str();
-  options.ArraysOption =
-    command.add_option("--arrays", options.Arrays, "The input's arrays to keep, with commas between; \"\": none")
-      ->delimiter(',');
-  command.add_flag("--no-ids", options.NoIds, "Do not keep the input's cell ids, by which picking finds cells");
-  command.add_flag("--exact", options.Exact,
-    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
-  command.add_flag("--keep-far-outliers", options.KeepFarOutliers,
-    "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
-  bmtAddWorkspaceOptions(command, options.Workspace);
-  command.add_flag("--no-normals", options.NoNormals, "Make no smooth normals where the input has none");
+  command.add_option("--memory", options.Memory,
+    "Most memory that the process may hold, such as 512MiB or 2GiB; default: a quarter of the machine's. No influence "
+    "on the file");
+  AddSettings(command, options.Settings);
 }
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bmtCommon.h"
 
+#include "vtkMTFileAccess.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -15,9 +20,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include <unistd.h>
@@ -148,13 +151,6 @@ double bmtWallSeconds()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double bmtCpuSeconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 bmtProgress::bmtProgress(const char* what)
   : What(isatty(STDERR_FILENO) ? what : "")
 {
@@ -200,6 +196,24 @@ void bmtProgress::Update(double fraction, const std::string& step)
   std::fprintf(stderr, "\r\033[K%s %3.0f %%%s%s%s", this->What.c_str(), 100.0 * std::clamp(fraction, 0.0, 1.0),
     step.empty() ? "" : ", ", step.c_str(), left.c_str());
   std::fflush(stderr);
+}
+
+void bmtFollow(vtkAlgorithm* algorithm, bmtProgress& progress)
+{
+  const vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(&progress);
+  follow->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void* fraction)
+    {
+      auto* source = static_cast<vtkAlgorithm*>(caller);
+      const char* step = source->GetProgressText();
+      static_cast<bmtProgress*>(client)->Update(*static_cast<double*>(fraction), step ? step : "");
+      if (bmtIsInterrupted())
+      {
+        source->AbortExecuteOn();
+      }
+    });
+  algorithm->AddObserver(vtkCommand::ProgressEvent, follow);
 }
 
 //------------------------------------------------------------------------------
@@ -278,39 +292,12 @@ void bmtFinishOutput()
 //------------------------------------------------------------------------------
 // Files
 
-void bmtRequireReadable(const std::string& path)
-{
-  std::error_code code;
-  if (!std::filesystem::exists(path, code))
-  {
-    throw bmtError(path + ": no such file; check the name");
-  }
-  if (std::filesystem::is_directory(path, code))
-  {
-    throw bmtError(path + ": is a folder; name a file");
-  }
-  if (!std::ifstream(path))
-  {
-    throw bmtError(path + ": cannot be opened for reading; check its permissions");
-  }
-}
-
 void bmtRequireWritable(const std::string& path)
 {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code))
+  std::string error;
+  if (!vtkMTFileAccess::CanWrite(path, error))
   {
-    throw bmtError(path + ": is a folder; name a file to write");
-  }
-  std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  folder = folder.empty() ? "." : folder;
-  if (!std::filesystem::is_directory(folder, code))
-  {
-    throw bmtError(path + ": its folder does not exist; make it first");
-  }
-  if (access(folder.c_str(), W_OK) != 0)
-  {
-    throw bmtError(path + ": its folder cannot be written to; check its permissions");
+    throw bmtError(error);
   }
 }
 

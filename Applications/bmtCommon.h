@@ -23,6 +23,7 @@ namespace CLI
 {
 class App;
 }
+class vtkAlgorithm;
 
 using bmtJson = nlohmann::ordered_json;
 
@@ -103,6 +104,9 @@ private:
   double FirstFraction = 0.0;
 };
 
+/// Shows the algorithm's progress, and aborts it on Ctrl-C. progress must outlive the work.
+void bmtFollow(vtkAlgorithm* algorithm, bmtProgress& progress);
+
 /// VTK's errors and warnings go to standard error in the form of all other messages: one line each, "bmt: ...".
 void bmtInstallOutputWindow();
 
@@ -112,9 +116,8 @@ std::string bmtGetEssence(const std::string& text);
 /// Says something that is no error on standard error.
 void bmtWarn(const std::string& text);
 
-/// Seconds since some fixed moment, and CPU seconds of all threads since the program began.
+/// Seconds since some fixed moment.
 double bmtWallSeconds();
-double bmtCpuSeconds();
 
 /// What the command line said, filled by the sub-command's options.
 struct bmtContext
@@ -132,8 +135,6 @@ void bmtPrint(const bmtContext& context, const bmtJson& result);
 /// Flushes standard output; throws bmtError when it could not take everything.
 void bmtFinishOutput();
 
-/// Throws bmtError unless the file can be opened for reading and is no folder.
-void bmtRequireReadable(const std::string& path);
 /// Throws bmtError unless a file can be made in the folder of path; nothing is made or changed.
 void bmtRequireWritable(const std::string& path);
 /// The ending of a file name, in lower case, with its dot.

@@ -150,10 +150,8 @@ bmtJson ExtractCut(const Options& options, const std::shared_ptr<const vtkMTPatc
   const ErrorText pipelineErrors(filter->GetExecutive());
   filter->SetInputData(model);
   ChooseCut(options, filter);
-  vtkNew<vtkCallbackCommand> interruption;
-  interruption->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(bmtIsInterrupted() ? 1 : 0); });
-  filter->AddObserver(vtkCommand::ProgressEvent, interruption);
+  bmtProgress progress("extracting");
+  bmtFollow(filter, progress);
   filter->Update();
   bmtThrowIfInterrupted();
   if (filter->GetErrorCode() != vtkErrorCode::NoError)

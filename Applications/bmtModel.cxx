@@ -2,6 +2,7 @@
 #include "bmtModel.h"
 
 #include "vtkMTCut.h"
+#include "vtkMTFileAccess.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTGraph.h"
 #include "vtkMTMeshWriter.h"
@@ -17,20 +18,18 @@
 //------------------------------------------------------------------------------
 // Multi-Triangulation files
 
-bool bmtIsModel(const std::string& path)
-{
-  return vtkMTFileSource::CanRead(path);
-}
-
 std::shared_ptr<const vtkMTPatchSource> bmtOpenModel(const std::string& path)
 {
-  bmtRequireReadable(path);
-  if (!bmtIsModel(path))
+  std::string error;
+  if (!vtkMTFileAccess::CanRead(path, error))
+  {
+    throw bmtError(error);
+  }
+  if (!vtkMTFileSource::CanRead(path))
   {
     throw bmtError(path + ": is no Multi-Triangulation file; make one with 'bmt build " + path + " -o OUT.bmt'");
   }
   auto source = std::make_shared<vtkMTFileSource>();
-  std::string error;
   if (!source->Open(path, error))
   {
     throw bmtError(error);
@@ -55,14 +54,10 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
   {
     static const char* const resampling[] = { "interpolate", "nearest", "direction" };
     static const char* const roles[] = { "plain", "input_cell_ids", "made_normals", "exact_points" };
-    bmtJson entry;
-    entry["name"] = array.Name;
-    entry["association"] = array.Association == vtkMTArrayInfo::Point ? "point" : "cell";
-    entry["type"] = vtkImageScalarTypeNameMacro(array.Type);
-    entry["components"] = array.Components;
-    entry["resampling"] = resampling[array.Resampling];
-    entry["role"] = roles[array.Role];
-    list.push_back(entry);
+    list.push_back(
+      { { "name", array.Name }, { "association", array.Association == vtkMTArrayInfo::Point ? "point" : "cell" },
+        { "type", vtkImageScalarTypeNameMacro(array.Type) }, { "components", array.Components },
+        { "resampling", resampling[array.Resampling] }, { "role", roles[array.Role] } });
   }
   return list;
 }
@@ -91,22 +86,6 @@ std::string GetStrategy(const vtkMTGraph& graph, const std::string& name)
   return settings.substr(0, settings.find(' '));
 }
 
-// The largest floor over what the partition was asked for.
-double GetLargestRegion(const vtkMTGraph& graph)
-{
-  std::uint64_t largest = 0;
-  for (std::size_t n = 1; n + 1 < graph.Nodes.size(); ++n)
-  {
-    std::uint64_t floor = 0;
-    for (std::uint32_t i = 0; i < graph.Nodes[n].OutCount; ++i)
-    {
-      floor += graph.Arcs[graph.Nodes[n].FirstOut + i].Triangles;
-    }
-    largest = std::max(largest, floor);
-  }
-  const double target = std::atof(GetSetting(graph, "floor_triangles").c_str());
-  return target > 0.0 ? static_cast<double>(largest) / target : 0.0;
-}
 }
 
 bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
@@ -121,17 +100,19 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["patches"] = graph.Arcs.size();
   json["levels"] = graph.GetNumberOfLevels();
   json["bytes"] = bytes;
-  json["bytes_per_triangle"] =
-    graph.InputCounts.Triangles > 0 ? static_cast<double>(bytes) / static_cast<double>(graph.InputCounts.Triangles) : 0.0;
+  json["bytes_per_triangle"] = graph.InputCounts.Triangles > 0
+    ? static_cast<double>(bytes) / static_cast<double>(graph.InputCounts.Triangles)
+    : 0.0;
   json["bounds"] = std::vector<double>(bounds, bounds + 6);
   json["arrays"] = DescribeArrays(graph.Arrays);
   json["partition"] = GetStrategy(graph, "partition");
   json["simplifier"] = GetStrategy(graph, "simplifier");
   json["settings"] = DescribeMap(graph.Settings);
-  json["conditioning"]["depth"] = conditioning.Depth;
-  json["conditioning"]["diameter_ratio"] = conditioning.DiameterRatio;
-  json["conditioning"]["fully_shared_borders"] = conditioning.FullySharedBorders;
-  json["conditioning"]["largest_region_over_target"] = GetLargestRegion(graph);
+  const double target = std::atof(GetSetting(graph, "floor_triangles").c_str());
+  const double largest = static_cast<double>(conditioning.LargestFloor);
+  json["conditioning"] = { { "depth", conditioning.Depth }, { "diameter_ratio", conditioning.DiameterRatio },
+    { "fully_shared_borders", conditioning.FullySharedBorders },
+    { "largest_region_over_target", target > 0.0 ? largest / target : 0.0 } };
   json["root_triangles"] = graph.GetNumberOfRootTriangles();
   json["blocked"] = DescribeMap(graph.Blocked);
   json["input_report"] = DescribeMap(graph.InputReport);

@@ -17,9 +17,6 @@ class vtkMTGraph;
 class vtkMTPatchSource;
 class vtkPolyData;
 
-/// Whether the file can be read and begins as a Multi-Triangulation file does.
-bool bmtIsModel(const std::string& path);
-
 /// Opens a Multi-Triangulation file; its DAG has been checked when this returns.
 std::shared_ptr<const vtkMTPatchSource> bmtOpenModel(const std::string& path);
 

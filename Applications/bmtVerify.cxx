@@ -3,11 +3,11 @@
 #include "bmtInput.h"
 #include "bmtModel.h"
 
+#include "vtkMTFileSource.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMultiTriangulationVerifier.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -118,17 +118,6 @@ bmtJson DescribeDamage(const std::string& message)
   return json;
 }
 
-void ShowProgress(vtkObject* caller, unsigned long, void* progress, void*)
-{
-  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-  const char* step = algorithm->GetProgressText();
-  static_cast<bmtProgress*>(progress)->Update(algorithm->GetProgress(), step ? step : "");
-  if (bmtIsInterrupted())
-  {
-    algorithm->AbortExecuteOn();
-  }
-}
-
 std::unique_ptr<vtkMTTriangleStream> OpenInput(const bmtInput& input, std::string& error)
 {
   try
@@ -153,7 +142,7 @@ bmtJson Verify(const Options& options)
   }
   catch (const bmtError& error)
   {
-    if (!bmtIsModel(options.File))
+    if (!vtkMTFileSource::CanRead(options.File))
     {
       throw;
     }
@@ -170,10 +159,7 @@ bmtJson Verify(const Options& options)
   verifier->SetNumberOfSamples(options.Samples);
   verifier->SetSeed(options.Seed);
   bmtProgress progress("verifying");
-  vtkNew<vtkCallbackCommand> show;
-  show->SetCallback(ShowProgress);
-  show->SetClientData(&progress);
-  verifier->AddObserver(vtkCommand::ProgressEvent, show);
+  bmtFollow(verifier, progress);
   if (!verifier->Verify(*source, openInput))
   {
     bmtThrowIfInterrupted();

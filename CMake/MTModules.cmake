@@ -7,7 +7,8 @@ foreach (folder IN ITEMS
     Module
     Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
     Rendering/Core
-    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General)
+    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General
+    Filters/Building)
   if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
     continue ()
   endif ()
@@ -24,7 +25,7 @@ foreach (folder IN ITEMS
 endforeach ()
 
 # VTK's components: what the vtk.module files name, and what the command, the examples, the tests and Python add. What
-# is linked must be named here or there, or CMake complains of targets that nobody has found (MPI::MPI_C).
+# is linked must be named here or there, or CMake complains of targets that were not found (MPI::MPI_C).
 set(mt_vtk_components
   CommonColor CommonSystem FiltersCore FiltersGeneral FiltersSources IOImage InteractionStyle RenderingAnnotation
   RenderingFreeType RenderingLOD RenderingUI TestingCore TestingRendering)

@@ -22,7 +22,7 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 add_compile_options(-ffp-contract=off)
 # g++ 12.2 drops the rounding of double -> float -> double where it puts neighbouring values into one vector.
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-# Functions of a shared library may be inlined within it, as clang does: nobody replaces them from outside.
+# Functions of a shared library may be inlined within it, as clang does: nothing replaces them from outside.
 add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 add_compile_options(-Wall -Wextra -Wnon-virtual-dtor)
 if (MT_WARNINGS_AS_ERRORS)

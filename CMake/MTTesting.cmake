@@ -14,7 +14,7 @@ file(MAKE_DIRECTORY "${MT_TEST_OUTPUT_DIRECTORY}")
 add_custom_target(mt_unit_tests)
 set(MT_LAYERS_WITHOUT_WINDOW
   Module Sources Partition Simplification FiltersCore Certification Verification Construction IOCore IO IOMesh IOImage
-  RenderingCore General)
+  Building RenderingCore General)
 
 # mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
 # One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under

@@ -64,9 +64,9 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   enum RoleType : std::uint8_t
   {
     Plain = 0,
-    InputCellIds = 1, ///< the input's cell id of each triangle, for picking; one vtkIdType
-    MadeNormals = 2,  ///< normals that the builder made because the input had none
-    ExactPoints = 3,  ///< level 0 only, empty above: the input's coordinates, see vtkMTExactPoints
+    InputCellIds = 1,  ///< the input's cell id of each triangle, for picking; one vtkIdType
+    MadeNormals = 2,   ///< normals that the builder made because the input had none
+    ExactPoints = 3,   ///< level 0 only, empty above: the input's coordinates, see vtkMTExactPoints
     InputPointIds = 4, ///< the input's point id of each point, for picking; one vtkIdType
     Materials = 5,     ///< what surfaces are made of: indices or colours that a painter shades with
     Heights = 6        ///< of the samples of a grid, along its third axis, in steps of the lattice

@@ -34,8 +34,8 @@ public:
   /// Replaces the arcs that enter the node by those that leave it (or adds these, where the graph's refinements add).
   /// False, and nothing done, unless CanRefine.
   bool Refine(std::uint32_t node);
-  /// Refines the node and, before it, all unrefined nodes that it depends on. Gives the number of nodes refined, 0 where
-  /// the node is refined already or not refinable.
+  /// Refines the node and, before it, all unrefined nodes that it depends on. Gives the number of nodes refined, 0
+  /// where the node is refined already or not refinable.
   std::size_t RefineWithDependencies(std::uint32_t node);
 
   /// Whether the node is refined and none that depends on it is. Never for the source.

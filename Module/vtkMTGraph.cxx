@@ -356,11 +356,14 @@ vtkMTGraph::Conditioning vtkMTGraph::GetConditioning() const
   {
     const vtkMTNode& node = this->Nodes[index];
     const bool inner = index != this->GetSource() && index != this->GetSink();
+    std::uint64_t floor = 0;
     for (std::uint32_t i = 0; i < node.OutCount; ++i)
     {
-      const std::uint32_t to = this->Arcs[node.FirstOut + i].To;
-      depth[to] = std::max(depth[to], depth[index] + (inner ? 1 : 0));
+      const vtkMTArc& arc = this->Arcs[node.FirstOut + i];
+      depth[arc.To] = std::max(depth[arc.To], depth[index] + (inner ? 1 : 0));
+      floor += arc.Triangles;
     }
+    result.LargestFloor = std::max(result.LargestFloor, inner ? floor : 0);
     if (inner && node.Level < diameters.size())
     {
       diameters[node.Level].push_back(GetDiameter(*this, node));

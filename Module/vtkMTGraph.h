@@ -258,6 +258,7 @@ public:
     double DiameterRatio = 0.0; ///< mean over the levels of (median diameter of a level) / (that of the next finer)
     std::uint32_t FullySharedBorders =
       0; ///< filled by the builder: nodes that share their border with all of their floor's fragments
+    std::uint64_t LargestFloor = 0; ///< triangles of the floor that has most
   };
   Conditioning GetConditioning() const;
   std::uint32_t FullySharedBorders = 0;

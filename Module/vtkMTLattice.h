@@ -8,7 +8,7 @@
  * in double precision: two patches that hold the same integers hold the same point, bit for bit, on every machine.
  *
  * Positions are snapped (rounded to nearest) once, before partition, simplification and certification, so that all
- * certified distances speak of the points as they are drawn. The distance between an input point and its snapped
+ * certified distances are those of the points as they are drawn. The distance between an input point and its snapped
  * place is at most MaximumShift.
  *
  * Shapes: a lattice point is std::array<std::int32_t, 3>; a box is six integers, xmin, xmax, ymin, ymax, zmin, zmax.

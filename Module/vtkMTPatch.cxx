@@ -73,8 +73,7 @@ std::vector<vtkMTRange> vtkMTPatch::GetRanges(const std::vector<vtkMTArrayInfo>&
     const bool ofCells = array.Association == vtkMTArrayInfo::Cell;
     const std::vector<vtkMTColumn>& columns = ofCells ? this->CellColumns : this->PointColumns;
     const std::size_t column = next[ofCells ? 1 : 0]++;
-    const std::vector<vtkMTRange> own =
-      array.GetRanges(column < columns.size() ? columns[column] : vtkMTColumn());
+    const std::vector<vtkMTRange> own = array.GetRanges(column < columns.size() ? columns[column] : vtkMTColumn());
     ranges.insert(ranges.end(), own.begin(), own.end());
   }
   return ranges;

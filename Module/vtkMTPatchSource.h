@@ -36,8 +36,9 @@ public:
   virtual const vtkMTGraph& GetKnownGraph() const;
 
   /**
-   * Reads one arc's patch, of a known arc; that of a dependency is empty. arrays, when given, has one entry per array of the graph: 0 leaves that array's column
-   * empty; nullptr reads all. False on failure: then error says what failed and where, and patch is empty.
+   * Reads one arc's patch, of a known arc; that of a dependency is empty. arrays, when given, has one entry per array
+   * of the graph: 0 leaves that array's column empty; nullptr reads all. False on failure: then error says what failed
+   * and where, and patch is empty.
    */
   virtual bool ReadPatch(
     std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const = 0;

@@ -27,7 +27,9 @@
 
 #include "vtkMTSurface.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 class vtkMTOverlay
@@ -108,6 +110,8 @@ private:
   bool PullAcrossPoint();
   void ReplaceRun(std::size_t begin, std::size_t run, std::size_t others);
   std::size_t CountAround(std::uint32_t out) const;
+  /// Where partners are not corners on both sides, their distance may have been rounded to zero.
+  static double AboveZero(double distance) { return std::max(distance, std::numeric_limits<double>::min()); }
   static Corners Merge(const Corners& a, const Corners& b);
   Corners MakeCorner(std::uint32_t floorPoint) const;
   Corners MakeInnerCorner(std::uint32_t out, std::uint32_t triangle) const;

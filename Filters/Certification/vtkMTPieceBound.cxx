@@ -11,10 +11,10 @@ using namespace vtkMTVector;
 
 namespace
 {
-// A long triangle may cross thousands of others, and every one that is cut off counts; the budget ends what does not.
+// A long triangle may cross thousands of others, and every one that is split off counts; the budget ends what does not.
 constexpr int MaximumDepth = 4096;
 
-// One triangle must not use up what the others need for a bound at all. Pieces that are cut along triangles get
+// One triangle must not use up what the others need for a bound at all. Pieces that are split along triangles get
 // somewhere; where two sheets are closer than the largest distance of all, the bound by either may stay just above it
 // however small the halves are: after so many of them it will do, and a looser one the more there are.
 double GetShare(std::size_t halvings)
@@ -357,5 +357,5 @@ void vtkMTPieceBound::CutInHalves(const Entry& entry)
     this->Stack.push_back({ other, entry.Best, entry.Guess, false });
     return;
   }
-  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound); // too small to be cut
+  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound); // too small to be split
 }

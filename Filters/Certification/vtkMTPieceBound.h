@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPieceBound
- * @brief how far single triangles of one mesh can be from another mesh, by cutting them into pieces
+ * @brief how far single triangles of one mesh can be from another mesh, by splitting them into pieces
  *
  * The distance from a point to one fixed triangle s is convex, so over a convex piece of the plane it is largest at the
  * piece's corners: the largest corner distance to s is an upper bound of how far any point of the piece is from the
  * other mesh. A triangle is held against one triangle of the other mesh after the other, and where the least bound is
- * far above the largest true distance seen so far (a lower bound of the result, from points), it is cut into pieces and
- * these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along that
- * triangle's normal, so that pieces come to lie over one triangle each, else in halves. Pieces are cut until their
+ * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into pieces
+ * and these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along
+ * that triangle's normal, so that pieces come to lie over one triangle each, else in halves. Pieces are cut until their
  * bound is within Share of that lower bound (more after many halvings of one triangle) or within Looseness of their
  * own, or the budget of pieces is used up; the result is then still an upper bound. Where a piece lies in the plane of
  * s, which is decided in exact integers, and over s, its distance is exactly zero.
@@ -63,7 +63,7 @@ public:
   ///@}
 
 private:
-  // A convex polygon inside one triangle. A cut adds at most one corner to either part.
+  // A convex polygon inside one triangle. Splitting adds at most one corner to either part.
   struct Piece
   {
     static constexpr int Capacity = 16;
@@ -108,7 +108,7 @@ private:
   std::vector<double> BoundOfTriangle;
   std::vector<double> BoundOnTriangle;
   std::vector<Entry> Stack;
-  std::size_t Halvings = 0; // of pieces of the triangle in hand
+  std::size_t Halvings = 0; // of pieces of the triangle that is bounded
 };
 
 #endif

@@ -40,7 +40,7 @@ public:
   void Remove();
   ///@}
 
-  /// Asked before every block; false ends the scan as a failure. Empty: nobody is asked.
+  /// Asked before every block; false ends the scan as a failure. Empty: always goes on.
   void SetContinue(std::function<bool()> function) { this->Continue = std::move(function); }
 
   std::size_t GetNumberOfTriangles() const override;

@@ -3,8 +3,8 @@
  * @class vtkMTBorderOrder
  * @brief the points on the border of a part of a mesh, one after the other along it
  *
- * New identities are numbered in this order. A patch of a file says the identities of its shared points along its
- * border as well: those that were made together follow each other there, and a whole run is said in a few bytes. An
+ * New identities are numbered in this order. A patch of a file stores the identities of its shared points along
+ * its border as well: those that were made together follow each other there, and a whole run takes a few bytes. An
  * edge is on the border when an odd number of the part's triangles use it, so every border is made of closed walks,
  * whatever the mesh and its orientation are. A walk begins at its point of the least index and goes on to the neighbour
  * of the least index that was not met yet.

@@ -3,7 +3,7 @@
  * @class vtkMTCoarsePoints
  * @brief leaves a fragment's points no more bits than its error justifies
  *
- * A point of a coarse level is off by the fragment's error anyhow, so its low bits say nothing, and they are most of
+ * A point of a coarse level is off by the fragment's error anyhow, so its low bits mean nothing, and they are most of
  * what a patch takes in a file. Points that no other region shares are rounded to multiples of a power of two, as far
  * as no triangle turns by more than about 25 degrees. When no point moves by more than r, every place of the fragment
  * moves by r at most, so certified distances grow by r in both directions.

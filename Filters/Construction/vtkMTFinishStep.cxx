@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <map>
+#include <sstream>
 
 bool vtkMTFinishStep::Run()
 {
@@ -45,6 +46,9 @@ bool vtkMTFinishStep::FinishGraph()
   {
     settings["far_outliers"] = "kept";
   }
+  std::ostringstream reduction; // of a level: a floor's triangles over its fragment's
+  reduction << this->Options.Reduction;
+  settings["reduction"] = reduction.str();
   settings["floor_triangles"] = std::to_string(std::llround(this->Options.GetFloorTarget()));
   return vtkMTFinishGraph::Run(this->State, this->Sink, this->Error);
 }

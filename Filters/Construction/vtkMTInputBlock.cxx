@@ -4,6 +4,9 @@
 #include "vtkMTBytes.h"
 #include "vtkMTRadixSort.h"
 
+#include <cmath>
+#include <cstring>
+
 void vtkMTInputBlock::FindPoints()
 {
   // Corners in order of their points: point above, corner below.
@@ -36,6 +39,53 @@ std::vector<unsigned char> vtkMTInputBlock::GetUsed() const
     used[t[0]] = used[t[1]] = used[t[2]] = 1;
   }
   return used;
+}
+
+const char* vtkMTInputBlock::FindFault(const Triangle& triangle) const
+{
+  for (std::uint32_t p : triangle)
+  {
+    const Place& x = this->Places[p];
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      return "dropped_not_finite";
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    if (this->Places[triangle[c]] == this->Places[triangle[(c + 1) % 3]])
+    {
+      return "dropped_degenerate";
+    }
+  }
+  return nullptr;
+}
+
+void vtkMTInputBlock::Keep(const std::function<bool(const Triangle&)>& isKept)
+{
+  const std::size_t count = this->Triangles.size();
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    if (!isKept(this->Triangles[t]))
+    {
+      continue;
+    }
+    this->Triangles[kept] = this->Triangles[t];
+    this->CellIds[kept] = this->CellIds[t];
+    for (std::size_t c = 0; c < this->Columns.size() && kept != t; ++c)
+    {
+      const std::size_t size = this->Columns[c].size() / count;
+      std::memcpy(this->Columns[c].data() + kept * size, this->Columns[c].data() + t * size, size);
+    }
+    ++kept;
+  }
+  this->Triangles.resize(kept);
+  this->CellIds.resize(kept);
+  for (vtkMTColumn& column : this->Columns)
+  {
+    column.resize(count > 0 ? column.size() / count * kept : 0);
+  }
 }
 
 void vtkMTInputBlock::Encode(std::vector<unsigned char>& bytes) const

@@ -3,8 +3,8 @@
  * @class vtkMTInputBlock
  * @brief a run of the input's triangles with the points that they use, each once
  *
- * The input goes through the construction in blocks of Size triangles, in its own order. Triangles speak of the block's
- * own points by their place in Points.
+ * The input goes through the construction in blocks of Size triangles, in its own order. Triangles index the
+ * block's own points by their place in Points.
  */
 #ifndef vtkMTInputBlock_h
 #define vtkMTInputBlock_h
@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputBlock
 
   /// Whether triangles use the points, after some were dropped.
   std::vector<unsigned char> GetUsed() const;
+
+  /// Why a triangle cannot be part of a surface, for the report: "dropped_not_finite", "dropped_degenerate"; null: it
+  /// can.
+  const char* FindFault(const Triangle& triangle) const;
+
+  /// Drops the other triangles.
+  void Keep(const std::function<bool(const Triangle&)>& isKept);
 
   void Encode(std::vector<unsigned char>& bytes) const;
   bool Decode(const std::vector<unsigned char>& bytes, std::string& error);

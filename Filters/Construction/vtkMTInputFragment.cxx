@@ -112,7 +112,7 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
   if (layout.MakeNormals)
   {
     vtkMTSharedNormals::FindTerms(
-      this->Mesh, this->Numbers, this->Orientation.PieceOf, this->Orientation.IsTurned, region, this->Terms);
+      this->Mesh, this->Numbers, this->Orientation.ComponentOf, this->Orientation.IsTurned, region, this->Terms);
   }
 }
 
@@ -122,12 +122,12 @@ void vtkMTInputFragment::Encode(std::vector<unsigned char>& bytes) const
   bytes.reserve(this->Mesh.GetMemorySize() + 256);
   vtkMTBytes::Writer writer(bytes);
   vtkMTPatchRecord::Put(this->Mesh, writer);
-  writer.PutList(this->Pieces);
+  writer.PutList(this->Components);
   // As a rule a fragment is connected and all of its triangles agree: nothing has to be stored then.
   const auto& turned = this->Orientation.IsTurned;
-  if (this->Pieces.size() > 1 || std::find(turned.begin(), turned.end(), 1) != turned.end())
+  if (this->Components.size() > 1 || std::find(turned.begin(), turned.end(), 1) != turned.end())
   {
-    writer.PutList(this->Orientation.PieceOf);
+    writer.PutList(this->Orientation.ComponentOf);
     writer.PutList(turned);
   }
 }
@@ -136,12 +136,12 @@ bool vtkMTInputFragment::Decode(const std::vector<unsigned char>& bytes, std::st
 {
   vtkMTBytes::Reader reader(bytes);
   vtkMTPatchRecord::Take(reader, this->Mesh); // what is wrong with it shows in the reader
-  reader.TakeList(this->Pieces);
-  this->Orientation.PieceOf.assign(this->Mesh.Triangles.size(), 0);
+  reader.TakeList(this->Components);
+  this->Orientation.ComponentOf.assign(this->Mesh.Triangles.size(), 0);
   this->Orientation.IsTurned.assign(this->Mesh.Triangles.size(), 0);
   if (!reader.IsAtEnd())
   {
-    reader.TakeList(this->Orientation.PieceOf);
+    reader.TakeList(this->Orientation.ComponentOf);
     reader.TakeList(this->Orientation.IsTurned);
   }
   error = reader.IsSound() ? error : "temporary data does not hold the fragment that was written";
@@ -152,8 +152,8 @@ void vtkMTInputFragment::TurnRound(const vtkMTOrientation& orientation)
 {
   for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
   {
-    const std::uint32_t piece = this->Pieces[this->Orientation.PieceOf[t]];
-    if (orientation.IsReversed(piece, this->Orientation.IsTurned[t] != 0))
+    const std::uint32_t component = this->Components[this->Orientation.ComponentOf[t]];
+    if (orientation.IsReversed(component, this->Orientation.IsTurned[t] != 0))
     {
       std::swap(this->Mesh.Triangles[t][1], this->Mesh.Triangles[t][2]);
     }

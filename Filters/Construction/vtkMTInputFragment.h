@@ -26,7 +26,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
   vtkMTOrientation::Fragment Orientation;
   std::vector<vtkMTSharedNormals::Term> Terms;
   std::vector<std::uint32_t> SharedPlaces; ///< of Make, vtkMTSharedIds::FindPlaces; not encoded
-  std::vector<std::uint32_t> Pieces;       ///< as vtkMTOrientation::Add numbered them
+  std::vector<std::uint32_t> Components;   ///< as vtkMTOrientation::Add numbered them
 
   struct Layout
   {
@@ -41,7 +41,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
   void Make(std::uint32_t region, vtkMTInputRegions::Region&& records, const Layout& layout);
 
   ///@{
-  /// Mesh, orientation and pieces, as bytes.
+  /// Mesh, orientation and components, as bytes.
   void Encode(std::vector<unsigned char>& bytes) const;
   bool Decode(const std::vector<unsigned char>& bytes, std::string& error);
   ///@}

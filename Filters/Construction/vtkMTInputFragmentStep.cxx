@@ -45,8 +45,8 @@ bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
   vtkMTSequenceState& state = this->State;
-  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
-    input.GetCellTupleSizes(), this->MakesNormals };
+  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(),
+    input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(), this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
   {
     if (array.Role == vtkMTArrayInfo::ExactPoints)
@@ -100,12 +100,12 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
   }
   {
     const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
-    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Pieces))
+    if (!this->Orientation->Add(making.Fragment.Orientation, making.Fragment.Components))
     {
       error = this->Orientation->GetError();
       return false;
     }
-    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Pieces))
+    if (!this->Normals->Add(making.Fragment.Terms, making.Fragment.Components))
     {
       error = this->Normals->GetError();
       return false;

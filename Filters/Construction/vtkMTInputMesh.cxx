@@ -74,7 +74,7 @@ bool HasNormals(const std::vector<vtkMTArrayInfo>& arrays)
     { return info.Association == vtkMTArrayInfo::Point && info.Attribute == vtkDataSetAttributes::NORMALS; });
 }
 
-// Which of the cell arrays says of what part a triangle is; -1: none.
+// Which of the cell arrays holds the part that a triangle is of; -1: none.
 int FindPartColumn(const std::vector<vtkMTArrayInfo>& arrays)
 {
   int column = -1;
@@ -116,8 +116,8 @@ public:
     {
       return false;
     }
-    this->SetUpArrays(stream, input.IsSingle());
-    state.Graph.InputCounts.Triangles = input.GetInputTriangles();
+    this->SetUpArrays(stream, input.GetPoints().IsSingle());
+    state.Graph.InputCounts.Triangles = input.GetNumberOfInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
     state.LevelElements.assign(1, input.GetNumberOfTriangles());
@@ -160,9 +160,9 @@ private:
     {
       return true;
     }
-    return this->Fail(input.GetInputTriangles() == 0
+    return this->Fail(input.GetNumberOfInputTriangles() == 0
         ? "the input has no triangles"
-        : "none of the input's " + std::to_string(input.GetInputTriangles()) +
+        : "none of the input's " + std::to_string(input.GetNumberOfInputTriangles()) +
           " triangles is usable (all are degenerate, not finite, or refer to points that do not exist)");
   }
 
@@ -215,10 +215,10 @@ private:
     {
       Count(report, reason.c_str(), static_cast<std::uint64_t>(count));
     }
-    Count(report, "stitched_edges", static_cast<std::uint64_t>(stitch.GetStitchedEdges()));
+    Count(report, "stitched_edges", static_cast<std::uint64_t>(stitch.GetNumberOfStitchedEdges()));
     Count(report, "stitched_points", static_cast<std::uint64_t>(stitch.GetNumberOfWeldedPoints()));
-    Count(report, "seam_wedges", this->Regions->GetSeamWedges());
-    Count(report, "isolated_points", input.GetNumberOfPoints() - this->Regions->GetUsedPoints());
+    Count(report, "seam_wedges", this->Regions->GetNumberOfSeamWedges());
+    Count(report, "isolated_points", input.GetPoints().GetNumberOfPoints() - this->Regions->GetNumberOfUsedPoints());
   }
 
   //----------------------------------------------------------------------------
@@ -260,12 +260,12 @@ private:
     const std::function<bool(std::size_t, BlockWork&)>& take)
   {
     const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-    std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(input.GetThreads()));
+    std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(input.GetNumberOfThreads()));
     const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
       [&input](std::size_t index) { return MemoryPerByteOfBlock * input.GetBlockSize(index); } };
     std::string error;
     const bool done = vtkMTOrderedWork::Run(
-      input.GetNumberOfBlocks(), input.GetThreads(), budget,
+      input.GetNumberOfBlocks(), input.GetNumberOfThreads(), budget,
       [&](std::size_t index, std::size_t slot, std::string& message)
       {
         const vtkMTStageTimes::Scope seed(this->Settings.Times, vtkMTStageTimes::Seed);

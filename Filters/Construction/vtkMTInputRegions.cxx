@@ -42,7 +42,7 @@ vtkMTInputRegions::vtkMTInputRegions(
   : Settings(settings)
   , Input(input)
   , Exact(exact)
-  , ValueSize(input.GetValueSize() + (exact ? exact->GetTupleSize() : 0))
+  , ValueSize(input.GetPoints().GetValueSize() + (exact ? exact->GetTupleSize() : 0))
   , TriangleSize(sizeof(Triangle) + Sum(input.GetCellTupleSizes()))
   , PointSize(sizeof(Point) + ValueSize)
   , Triangles(*settings.Store, TriangleSize, memory / 4)
@@ -195,7 +195,7 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
   {
     return true;
   }
-  vtkMTInputSpool::PointCursor cursor(this->Input, std::uint64_t(batch.Points.back()) + 1);
+  vtkMTInputPoints::Cursor cursor(this->Input.GetPoints(), std::uint64_t(batch.Points.back()) + 1);
   std::vector<unsigned char> values(this->ValueSize);
   batch.Single.reserve(batch.Regions.size() * this->PointSize);
   std::size_t begin = 0;
@@ -206,14 +206,14 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
     {
       return false;
     }
-    const vtkMTInputBlock::Place place = vtkMTInputSpool::GetPlace(bytes);
+    const vtkMTInputBlock::Place place = vtkMTInputPoints::GetPlace(bytes);
     const std::uint32_t point = batch.Points[i];
     Point record{ 0, point, point, lattice.Snap(place.data()), batch.End[i] - begin > 1 ? 1u : 0u };
-    std::copy_n(vtkMTInputSpool::GetValues(bytes), this->Input.GetValueSize(), values.begin());
+    std::copy_n(vtkMTInputPoints::GetValues(bytes), this->Input.GetPoints().GetValueSize(), values.begin());
     if (this->Exact)
     {
-      vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputSpool::GetExactPlace(bytes),
-        values.data() + this->Input.GetValueSize());
+      vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputPoints::GetExactPlace(bytes),
+        values.data() + this->Input.GetPoints().GetValueSize());
     }
     const bool isStitched = batch.Roots[i] != vtkMTPointWelding::None;
     std::vector<unsigned char>& records = isStitched ? batch.Stitched : batch.Single;
@@ -238,7 +238,7 @@ bool vtkMTInputRegions::PutPoints(const PointBatch& batch)
   }
   this->UsedPoints += batch.Points.size();
   this->Aborted = !this->Settings.Report(
-    { 0.0, "sorting points into regions", 0, this->UsedPoints, this->Input.GetNumberOfPoints() });
+    { 0.0, "sorting points into regions", 0, this->UsedPoints, this->Input.GetPoints().GetNumberOfPoints() });
   return !this->Aborted || this->Fail("aborted");
 }
 

@@ -5,7 +5,7 @@
  *
  * Triangles are sorted by region. The pairs (point, region) are sorted by point and walked beside the points and their
  * stitched identities: a point that several regions have is shared. Points that were stitched make a detour over their
- * identity, since all of them together say who shares it and which of them are one wedge: those with equal values.
+ * identity, since all of them together tell who shares it and which of them are one wedge: those with equal values.
  * Sorted by region, the result is what each region needs of its points. All sorts are external and stable.
  */
 #ifndef vtkMTInputRegions_h
@@ -77,8 +77,8 @@ public:
   bool Take(std::uint32_t region, Region& result);
   ///@}
 
-  std::uint64_t GetUsedPoints() const { return this->UsedPoints; } ///< of the input's
-  std::uint64_t GetSeamWedges() const { return this->SeamWedges; } ///< wedges beyond the first of each point
+  std::uint64_t GetNumberOfUsedPoints() const { return this->UsedPoints; } ///< of the input's
+  std::uint64_t GetNumberOfSeamWedges() const { return this->SeamWedges; } ///< wedges beyond the first of each point
   bool WasAborted() const { return this->Aborted; }
   const std::string& GetError() const { return this->Error; }
 

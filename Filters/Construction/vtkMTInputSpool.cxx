@@ -1,59 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputSpool.h"
 
-#include "vtkMTExactPoints.h"
 #include "vtkMTRecordSort.h"
 #include "vtkMTRelease.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMTTrimHeap.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <numeric>
 
 namespace
 {
-using Place = vtkMTInputBlock::Place;
+using PlaceRecord = vtkMTInputPoints::PlaceRecord;
 constexpr std::uint64_t LargestIndex = 0xfffffffeu;
-constexpr std::size_t CursorSize = std::size_t(1) << 20;
 // A triangle of a block with its points, without values; what a slot holds at most, over its block.
 constexpr std::uint64_t BytesPerTriangle = 36;
 constexpr std::uint64_t CopiesInSlot = 3;
-constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
+constexpr std::uint64_t NoPoint = vtkMTInputPoints::NoPoint;
 constexpr std::size_t RequestsAtOnce = 16384;
 // A block that is checked, over its bytes without places.
 constexpr std::uint64_t MemoryPerByteOfRaw = 6;
-
-// The place of one of a block's points on its way to the block.
-struct PlaceRecord
-{
-  std::uint64_t Key; // block above, point below
-  Place X;
-  std::uint64_t IsOpen;
-};
-
-const char* FindFault(const vtkMTInputBlock& block, const vtkMTInputBlock::Triangle& t)
-{
-  for (std::uint32_t p : t)
-  {
-    const Place& x = block.Places[p];
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-    {
-      return "dropped_not_finite";
-    }
-  }
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    if (block.Places[t[c]] == block.Places[t[(c + 1) % 3]])
-    {
-      return "dropped_degenerate";
-    }
-  }
-  return nullptr;
-}
 }
 
 vtkMTInputSpool::vtkMTInputSpool(const vtkMTBuildSettings& settings)
@@ -73,7 +40,7 @@ bool vtkMTInputSpool::Fail(const std::string& error)
   return false;
 }
 
-int vtkMTInputSpool::GetThreads() const
+int vtkMTInputSpool::GetNumberOfThreads() const
 {
   const std::size_t values = std::accumulate(this->CellTupleSizes.begin(), this->CellTupleSizes.end(), std::size_t(0));
   const std::uint64_t block = vtkMTInputBlock::Size * (BytesPerTriangle + values);
@@ -85,7 +52,7 @@ bool vtkMTInputSpool::Run(std::size_t count, const vtkMTOrderedWork::Budget& bud
   const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take)
 {
   std::string error;
-  const bool done = vtkMTOrderedWork::Run(count, this->GetThreads(), budget, fetch, work, take, error);
+  const bool done = vtkMTOrderedWork::Run(count, this->GetNumberOfThreads(), budget, fetch, work, take, error);
   this->Error = error.empty() ? this->Error : error;
   return done;
 }
@@ -96,33 +63,15 @@ bool vtkMTInputSpool::Continue(const char* step, std::uint64_t done, std::uint64
   return !this->Aborted || this->Fail("aborted");
 }
 
-Place vtkMTInputSpool::GetPlace(const unsigned char* record)
-{
-  Place place;
-  std::memcpy(place.data(), record, sizeof(place));
-  for (double& coordinate : place)
-  {
-    coordinate += 0.0; // minus zero is zero: the same place
-  }
-  return place;
-}
-
-Place vtkMTInputSpool::GetExactPlace(const unsigned char* record)
-{
-  Place place;
-  std::memcpy(place.data(), record, sizeof(place));
-  return place;
-}
-
 //------------------------------------------------------------------------------
 bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
 {
-  this->RecordSize = sizeof(Place);
   for (const vtkMTArrayInfo& info : stream.GetArrays())
   {
-    const bool isPoint = info.Association == vtkMTArrayInfo::Point;
-    (isPoint ? this->PointTupleSizes : this->CellTupleSizes).push_back(info.GetTupleSize());
-    this->RecordSize += isPoint ? info.GetTupleSize() : 0;
+    if (info.Association == vtkMTArrayInfo::Cell)
+    {
+      this->CellTupleSizes.push_back(info.GetTupleSize());
+    }
   }
   if (!stream.Rewind())
   {
@@ -143,40 +92,28 @@ bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
 bool vtkMTInputSpool::LoadPoints(vtkMTTriangleStream& stream)
 {
   const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
-  this->PointSpool = this->Settings.Store->Create(this->Error);
-  if (!this->PointSpool)
+  std::vector<std::size_t> tupleSizes;
+  for (const vtkMTArrayInfo& info : stream.GetArrays())
+  {
+    if (info.Association == vtkMTArrayInfo::Point)
+    {
+      tupleSizes.push_back(info.GetTupleSize());
+    }
+  }
+  if (!this->Points.Begin(*this->Settings.Store, tupleSizes, this->Error))
   {
     return false;
   }
   vtkMTTriangleStream::PointBlock block;
-  std::vector<unsigned char> records;
   while (stream.NextPoints(block))
   {
+    const std::uint64_t count = this->Points.GetNumberOfPoints();
     if (block.Points.empty())
     {
-      return this->Points <= LargestIndex ||
-        this->Fail("the input has more points than the 4294967294 that are supported");
+      return count <= LargestIndex || this->Fail("the input has more points than the 4294967294 that are supported");
     }
-    records.resize(block.Points.size() * this->RecordSize);
-    unsigned char* to = records.data();
-    for (std::size_t i = 0; i < block.Points.size(); ++i)
-    {
-      for (const double coordinate : block.Points[i])
-      {
-        this->Single = this->Single && vtkMTExactPoints::IsSingle(coordinate);
-      }
-      std::memcpy(to, block.Points[i].data(), sizeof(Place));
-      to += sizeof(Place);
-      for (std::size_t c = 0; c < this->PointTupleSizes.size(); ++c)
-      {
-        const std::size_t size = this->PointTupleSizes[c];
-        std::memcpy(to, block.Columns[c].data() + i * size, size);
-        to += size;
-      }
-    }
-    this->Points += block.Points.size();
-    if (!this->PointSpool->Append(records.data(), records.size(), this->Error) ||
-      !this->Continue("reading points", this->Points, stream.GetNumberOfPoints()))
+    if (!this->Points.Append(block, this->Error) ||
+      !this->Continue("reading points", this->Points.GetNumberOfPoints(), stream.GetNumberOfPoints()))
     {
       return false;
     }
@@ -212,7 +149,7 @@ bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort
   // The stream belongs to this thread: a slot is filled before the work that finds it, and as soon as it is free again.
   Reading reading{ stream, {}, 0, false };
   const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
+  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
   for (RawBlock& slot : slots)
   {
     if (!this->FillBlock(reading, slot.Block))
@@ -274,7 +211,8 @@ bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
 void vtkMTInputSpool::AddTriangle(const Reading& reading, vtkMTInputBlock& block)
 {
   const auto& corners = reading.Read.Triangles[reading.Next];
-  if (corners[0] >= this->Points || corners[1] >= this->Points || corners[2] >= this->Points)
+  const std::uint64_t points = this->Points.GetNumberOfPoints();
+  if (corners[0] >= points || corners[1] >= points || corners[2] >= points)
   {
     ++this->Report["dropped_index_out_of_range"];
     return;
@@ -310,11 +248,9 @@ bool vtkMTInputSpool::PutBlock(std::size_t number, const RawBlock& raw, vtkMTRec
 
 //------------------------------------------------------------------------------
 // Places of points
-struct vtkMTInputSpool::PointRequests
+struct vtkMTInputSpool::AnsweredRequests
 {
-  std::vector<std::uint64_t> Keys; // point above, block below
-  std::uint64_t Before = NoPoint;  // the points of the requests before and behind these
-  std::uint64_t Behind = NoPoint;
+  vtkMTInputPoints::Requests Requests;
   std::vector<PlaceRecord> Places;
 };
 
@@ -327,13 +263,13 @@ bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& pla
     return this->Fail(requests.GetError());
   }
   const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<PointRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
+  std::vector<AnsweredRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
   const unsigned char* record = requests.Next();
   std::uint64_t last = NoPoint;
   const auto fetch = [&](std::size_t, std::size_t slot, std::string& error)
   {
     const vtkMTStageTimes::Scope own(this->Settings.Times, vtkMTStageTimes::Sort);
-    PointRequests& taken = slots[slot];
+    vtkMTInputPoints::Requests& taken = slots[slot].Requests;
     taken.Keys.clear();
     taken.Before = last;
     for (; record && taken.Keys.size() < RequestsAtOnce; record = requests.Next())
@@ -348,7 +284,7 @@ bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& pla
   const auto work = [&](std::size_t, std::size_t slot, std::string& error)
   {
     const vtkMTStageTimes::Scope own(this->Settings.Times, vtkMTStageTimes::Sort);
-    return this->Answer(slots[slot], error);
+    return this->Points.Answer(slots[slot].Requests, slots[slot].Places, error);
   };
   const auto take = [&](std::size_t index, std::size_t slot, std::string&)
   {
@@ -357,28 +293,6 @@ bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& pla
   };
   const auto count = static_cast<std::size_t>(requests.GetNumberOfRecords() / RequestsAtOnce + 1);
   return this->Run(count, {}, fetch, work, take) && (places.Finish() || this->Fail(places.GetError()));
-}
-
-bool vtkMTInputSpool::Answer(PointRequests& requests, std::string& error) const
-{
-  const std::vector<std::uint64_t>& keys = requests.Keys;
-  requests.Places.clear();
-  requests.Places.reserve(keys.size());
-  PointCursor cursor(*this, keys.empty() ? 0 : (keys.back() >> 32) + 1);
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    const std::uint64_t point = keys[i] >> 32;
-    const std::uint64_t before = i > 0 ? keys[i - 1] >> 32 : requests.Before;
-    const std::uint64_t behind = i + 1 < keys.size() ? keys[i + 1] >> 32 : requests.Behind;
-    const unsigned char* bytes = cursor.Get(point, error);
-    if (!bytes)
-    {
-      return false;
-    }
-    const bool isOpen = point == before || point == behind;
-    requests.Places.push_back({ (keys[i] << 32) | point, GetPlace(bytes), isOpen ? 1u : 0u });
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -400,7 +314,7 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
   const std::uint64_t all = this->Triangles;
   this->Triangles = 0;
   const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetThreads()));
+  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
   const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
     [this](std::size_t index) { return MemoryPerByteOfRaw * this->RawBlocks.GetSize(index); } };
   const auto fetch = [&](std::size_t index, std::size_t slot, std::string& error)
@@ -469,10 +383,10 @@ void vtkMTInputSpool::Check(CheckedBlock& checked) const
   {
     return;
   }
-  this->Keep(block,
+  block.Keep(
     [&](const vtkMTInputBlock::Triangle& t)
     {
-      const char* fault = FindFault(block, t);
+      const char* fault = block.FindFault(t);
       if (fault)
       {
         ++checked.Report[fault];
@@ -490,33 +404,6 @@ bool vtkMTInputSpool::PutChecked(std::size_t index, const CheckedBlock& checked)
   }
   this->Triangles += checked.Block.Triangles.size();
   return this->Blocks.Put(index, checked.Bytes.data(), checked.Bytes.size(), this->Error);
-}
-
-void vtkMTInputSpool::Keep(
-  vtkMTInputBlock& block, const std::function<bool(const vtkMTInputBlock::Triangle&)>& isKept) const
-{
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < block.Triangles.size(); ++t)
-  {
-    if (!isKept(block.Triangles[t]))
-    {
-      continue;
-    }
-    block.Triangles[kept] = block.Triangles[t];
-    block.CellIds[kept] = block.CellIds[t];
-    for (std::size_t c = 0; c < block.Columns.size() && kept != t; ++c)
-    {
-      const std::size_t size = this->CellTupleSizes[c];
-      std::memcpy(block.Columns[c].data() + kept * size, block.Columns[c].data() + t * size, size);
-    }
-    ++kept;
-  }
-  block.Triangles.resize(kept);
-  block.CellIds.resize(kept);
-  for (std::size_t c = 0; c < block.Columns.size(); ++c)
-  {
-    block.Columns[c].resize(kept * this->CellTupleSizes[c]);
-  }
 }
 
 void vtkMTInputSpool::LeaveOut(const Test& test, const char* reason, std::uint64_t triangles)
@@ -539,30 +426,7 @@ bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block, std::
   }
   if (this->IsLeftOut)
   {
-    this->Keep(block, [this, &block](const vtkMTInputBlock::Triangle& t) { return !this->IsLeftOut(block, t); });
+    block.Keep([this, &block](const vtkMTInputBlock::Triangle& t) { return !this->IsLeftOut(block, t); });
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-vtkMTInputSpool::PointCursor::PointCursor(const vtkMTInputSpool& input, std::uint64_t end)
-  : Input(input)
-  , End(end)
-{
-}
-
-const unsigned char* vtkMTInputSpool::PointCursor::Get(std::uint64_t point, std::string& error)
-{
-  const std::size_t size = this->Input.RecordSize;
-  if (point < this->First || point >= this->First + this->Buffer.size() / size)
-  {
-    const std::uint64_t count = std::min<std::uint64_t>(std::max<std::size_t>(1, CursorSize / size), this->End - point);
-    this->First = point;
-    this->Buffer.resize(static_cast<std::size_t>(count) * size);
-    if (!this->Input.PointSpool->Read(point * size, this->Buffer.size(), this->Buffer.data(), error))
-    {
-      return nullptr;
-    }
-  }
-  return this->Buffer.data() + (point - this->First) * size;
 }

@@ -4,7 +4,7 @@
  * @brief the input mesh in spools: points one after the other, triangles in blocks that know their points' places
  *
  * Load reads the stream once. The pairs (point, block) are then sorted by point and walked beside the points, which
- * gives every block the places of its points and says which of them several blocks use, whatever the order of the
+ * gives every block the places of its points and tells which of them several blocks use, whatever the order of the
  * input. Triangles that cannot be part of a surface are dropped and counted, as vtkMTInputMesh says.
  *
  * Threads: the calling one reads the stream, a few blocks ahead, and writes; others do what is between.
@@ -15,12 +15,12 @@
 #include "vtkMTBuildSettings.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTInputBlock.h"
+#include "vtkMTInputPoints.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTRecordSpool.h"
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,14 +39,13 @@ public:
   /// Reads the stream and visits all blocks. False with a message in GetError.
   bool Load(vtkMTTriangleStream& stream, const Visit& visit);
 
-  std::uint64_t GetNumberOfPoints() const { return this->Points; }
+  const vtkMTInputPoints& GetPoints() const { return this->Points; }
   std::uint64_t GetNumberOfTriangles() const { return this->Triangles; } ///< those that are kept
-  bool IsSingle() const { return this->Single; }                         ///< all coordinates are floats
-  std::uint64_t GetInputTriangles() const { return this->InputTriangles; }
+  std::uint64_t GetNumberOfInputTriangles() const { return this->InputTriangles; }
   const std::map<std::string, std::int64_t>& GetReport() const { return this->Report; } ///< triangles dropped
 
-  /// Threads for work on blocks: one where the blocks that several have in hand, with their values, are too much.
-  int GetThreads() const;
+  /// Threads for work on blocks: one where the blocks that several work on, with their values, are too much.
+  int GetNumberOfThreads() const;
 
   std::size_t GetNumberOfBlocks() const { return this->Blocks.GetNumberOfKeys(); }
   /// Bytes of the block as it is stored; 0: it is empty.
@@ -54,38 +53,16 @@ public:
   /// Without the triangles that were left out. May be called by any number of threads at once.
   bool ReadBlock(std::size_t index, vtkMTInputBlock& block, std::string& error) const;
 
-  /// Leaves out, and counts, the triangles for which it says true, from here on. triangles: how many these are.
+  /// Leaves out, and counts, the triangles for which it gives true, from here on. triangles: how many these are.
   using Test = std::function<bool(const vtkMTInputBlock&, const vtkMTInputBlock::Triangle&)>;
   void LeaveOut(const Test& test, const char* reason, std::uint64_t triangles);
 
   ///@{
   /// Gives up what is not needed any more.
   void ForgetBlocks() { this->Blocks.Remove(); }
-  void ForgetPoints() { this->PointSpool.reset(); }
+  void ForgetPoints() { this->Points.Remove(); }
   ///@}
 
-  /// The points from the first to the last, a buffer at a time.
-  class PointCursor
-  {
-  public:
-    /// end: behind the last point that will be asked for.
-    PointCursor(const vtkMTInputSpool& input, std::uint64_t end);
-    /// The point's record, place and values, until the next call; null on failure. Points must be asked for in order.
-    const unsigned char* Get(std::uint64_t point, std::string& error);
-
-  private:
-    const vtkMTInputSpool& Input;
-    const std::uint64_t End;
-    std::vector<unsigned char> Buffer;
-    std::uint64_t First = 0;
-  };
-
-  static vtkMTInputBlock::Place GetPlace(const unsigned char* record);
-  static vtkMTInputBlock::Place GetExactPlace(const unsigned char* record); ///< with the sign of zeros
-  static const unsigned char* GetValues(const unsigned char* record) { return record + sizeof(vtkMTInputBlock::Place); }
-  /// Bytes of all values of a point together.
-  std::size_t GetValueSize() const { return this->RecordSize - sizeof(vtkMTInputBlock::Place); }
-  const std::vector<std::size_t>& GetPointTupleSizes() const { return this->PointTupleSizes; }
   const std::vector<std::size_t>& GetCellTupleSizes() const { return this->CellTupleSizes; } ///< of the input's arrays
 
   bool WasAborted() const { return this->Aborted; }
@@ -94,7 +71,7 @@ public:
 private:
   struct Reading;
   struct RawBlock;
-  struct PointRequests;
+  struct AnsweredRequests;
   struct CheckedBlock;
 
   bool Fail(const std::string& error);
@@ -105,28 +82,22 @@ private:
   void AddTriangle(const Reading& reading, vtkMTInputBlock& block);
   bool PutBlock(std::size_t number, const RawBlock& raw, vtkMTRecordSort& requests);
   bool FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& places);
-  bool Answer(PointRequests& requests, std::string& error) const;
   bool CheckBlocks(vtkMTRecordSort& places, const Visit& visit);
   bool FetchBlock(std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const;
   void Check(CheckedBlock& checked) const;
   bool PutChecked(std::size_t index, const CheckedBlock& checked);
   bool Run(std::size_t count, const vtkMTOrderedWork::Budget& budget, const vtkMTOrderedWork::Work& fetch,
     const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
-  void Keep(vtkMTInputBlock& block, const std::function<bool(const vtkMTInputBlock::Triangle&)>& isKept) const;
 
   const vtkMTBuildSettings& Settings;
   std::string Error;
   bool Aborted = false;
-  std::unique_ptr<vtkMTSpool> PointSpool;
+  vtkMTInputPoints Points;
   vtkMTRecordSpool RawBlocks; // by number
   vtkMTRecordSpool Blocks;    // the same, checked and with places
-  std::size_t RecordSize = 0;
-  std::vector<std::size_t> PointTupleSizes;
   std::vector<std::size_t> CellTupleSizes;
-  std::uint64_t Points = 0;
   std::uint64_t Triangles = 0;
   std::uint64_t InputTriangles = 0;
-  bool Single = true;
   std::map<std::string, std::int64_t> Report;
   Test IsLeftOut;
 };

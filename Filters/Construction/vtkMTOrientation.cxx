@@ -15,7 +15,7 @@ constexpr std::uint32_t None = ~std::uint32_t(0);
 struct EdgeRecord
 {
   std::uint64_t Key;
-  std::uint32_t Piece;
+  std::uint32_t Component;
   std::uint16_t IsTurned;
   std::uint16_t IsReversed;
 };
@@ -136,8 +136,8 @@ void vtkMTOrientation::Fragment::Run(const vtkMTPatch& mesh, const std::vector<s
     }
   }
   ConnectNeighbours(uses, mesh, parts);
-  // Roots are the smallest of their triangles, so pieces are numbered in the order of their first ones.
-  this->PieceOf.assign(count, None);
+  // Roots are the smallest of their triangles, so components are numbered in the order of their first ones.
+  this->ComponentOf.assign(count, None);
   this->IsTurned.assign(count, 0);
   for (std::uint32_t t = 0; t < count; ++t)
   {
@@ -145,21 +145,21 @@ void vtkMTOrientation::Fragment::Run(const vtkMTPatch& mesh, const std::vector<s
     const std::uint32_t root = parts.Find(t, isTurned);
     if (root == t)
     {
-      this->PieceOf[t] = static_cast<std::uint32_t>(this->Pieces.size());
-      this->Pieces.emplace_back();
-      this->Pieces.back().First = numbers[t];
-      this->Pieces.back().IsOrientable = parts.IsOrientable[root] != 0;
-      this->Pieces.back().HasConflict = parts.HasConflict[root] != 0;
+      this->ComponentOf[t] = static_cast<std::uint32_t>(this->Components.size());
+      this->Components.emplace_back();
+      this->Components.back().First = numbers[t];
+      this->Components.back().IsOrientable = parts.IsOrientable[root] != 0;
+      this->Components.back().HasConflict = parts.HasConflict[root] != 0;
     }
-    this->PieceOf[t] = this->PieceOf[root];
+    this->ComponentOf[t] = this->ComponentOf[root];
     this->IsTurned[t] = isTurned ? 1 : 0;
-    Piece& piece = this->Pieces[this->PieceOf[t]];
-    ++piece.Triangles;
-    piece.Turned += isTurned ? 1 : 0;
+    Component& component = this->Components[this->ComponentOf[t]];
+    ++component.Triangles;
+    component.Turned += isTurned ? 1 : 0;
   }
   for (const OpenEdge& edge : this->OpenEdges)
   {
-    this->Pieces[this->PieceOf[edge.Triangle]].IsOpen = true;
+    this->Components[this->ComponentOf[edge.Triangle]].IsOpen = true;
   }
 }
 
@@ -170,29 +170,29 @@ vtkMTOrientation::vtkMTOrientation(vtkMTSpoolStore& store, std::size_t memory)
 }
 
 // What becomes of triangles that hang together, with the figures of the report.
-std::uint32_t vtkMTOrientation::Count(const Piece& piece)
+std::uint32_t vtkMTOrientation::Count(const Component& component)
 {
-  if (!piece.IsOrientable)
+  if (!component.IsOrientable)
   {
-    this->NonOrientableTriangles += piece.Triangles;
+    this->NonOrientableTriangles += component.Triangles;
   }
-  if (!piece.IsOrientable || !piece.HasConflict)
+  if (!component.IsOrientable || !component.HasConflict)
   {
     return LeaveAll;
   }
-  const bool keepTurned = 2 * std::uint64_t(piece.Turned) > piece.Triangles;
-  this->ReversedTriangles += keepTurned ? piece.Triangles - piece.Turned : piece.Turned;
+  const bool keepTurned = 2 * std::uint64_t(component.Turned) > component.Triangles;
+  this->ReversedTriangles += keepTurned ? component.Triangles - component.Turned : component.Turned;
   return keepTurned ? ReverseOthers : ReverseTurned;
 }
 
-bool vtkMTOrientation::Add(const Fragment& fragment, std::vector<std::uint32_t>& pieces)
+bool vtkMTOrientation::Add(const Fragment& fragment, std::vector<std::uint32_t>& components)
 {
-  pieces.clear();
-  for (const Piece& piece : fragment.Pieces)
+  components.clear();
+  for (const Component& component : fragment.Components)
   {
-    if (!piece.IsOpen)
+    if (!component.IsOpen)
     {
-      pieces.push_back(this->Count(piece));
+      components.push_back(this->Count(component));
       continue;
     }
     if (this->Parts.size() == LeaveAll)
@@ -201,13 +201,14 @@ bool vtkMTOrientation::Add(const Fragment& fragment, std::vector<std::uint32_t>&
       return false;
     }
     const std::uint32_t number = static_cast<std::uint32_t>(this->Parts.size());
-    pieces.push_back(number);
-    this->Parts.push_back({ piece, number, LeaveAll, false });
+    components.push_back(number);
+    this->Parts.push_back({ component, number, LeaveAll, false });
   }
   for (const Fragment::OpenEdge& edge : fragment.OpenEdges)
   {
-    const EdgeRecord record{ (std::uint64_t(edge.Low) << 32) | edge.High, pieces[fragment.PieceOf[edge.Triangle]],
-      fragment.IsTurned[edge.Triangle], static_cast<std::uint16_t>(edge.IsReversed ? 1 : 0) };
+    const EdgeRecord record{ (std::uint64_t(edge.Low) << 32) | edge.High,
+      components[fragment.ComponentOf[edge.Triangle]], fragment.IsTurned[edge.Triangle],
+      static_cast<std::uint16_t>(edge.IsReversed ? 1 : 0) };
     if (!this->Edges.Add(&record))
     {
       this->Error = this->Edges.GetError();
@@ -247,7 +248,7 @@ void vtkMTOrientation::Connect(std::uint32_t a, std::uint32_t b, bool differ, bo
   {
     std::swap(root, other); // the root is the part with the first triangle
   }
-  Piece& whole = this->Parts[root].Own;
+  Component& whole = this->Parts[root].Own;
   whole.HasConflict = whole.HasConflict || conflict;
   if (root == other)
   {
@@ -273,7 +274,7 @@ bool vtkMTOrientation::Solve()
     if (uses == 2)
     {
       const bool conflict = first.IsReversed == second.IsReversed;
-      this->Connect(first.Piece, second.Piece, conflict != (first.IsTurned != second.IsTurned), conflict);
+      this->Connect(first.Component, second.Component, conflict != (first.IsTurned != second.IsTurned), conflict);
     }
   };
   if (this->Edges.Finish())

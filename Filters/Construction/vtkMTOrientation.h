@@ -9,8 +9,8 @@
  * is to be turned round (on a tie the first triangle stays). A part that cannot be oriented, such as a Moebius strip,
  * stays as it is. Edges with more than two triangles connect nothing.
  *
- * The mesh comes in fragments. Within a fragment, triangles that hang together are one piece: a piece knows who of its
- * triangles agrees with its first one. A piece that no other fragment can touch is settled at once. The others are
+ * The mesh comes in fragments. Within a fragment, connected triangles are one component: a component knows which of its
+ * triangles agrees with its first one. A component that no other fragment can touch is settled at once. The others are
  * entries of a union-find with parity, joined over the edges whose ends are both shared with other fragments, which are
  * sorted externally: so memory goes with the number of fragments, not of triangles.
  */
@@ -29,7 +29,7 @@ class VTKMTCONSTRUCTION_EXPORT vtkMTOrientation
 {
 public:
   /// What is known of triangles that hang together.
-  struct Piece
+  struct Component
   {
     std::uint32_t First = 0; ///< the smallest of the triangles' numbers
     std::uint32_t Triangles = 0;
@@ -49,9 +49,9 @@ public:
       std::uint32_t Triangle;
       bool IsReversed; ///< whether it runs from High to Low
     };
-    std::vector<Piece> Pieces;
-    std::vector<std::uint32_t> PieceOf;  ///< per triangle
-    std::vector<unsigned char> IsTurned; ///< per triangle, with respect to the piece's first
+    std::vector<Component> Components;
+    std::vector<std::uint32_t> ComponentOf; ///< per triangle
+    std::vector<unsigned char> IsTurned;    ///< per triangle, with respect to the component's first
     std::vector<OpenEdge> OpenEdges;
 
     /// numbers: of the triangles in the whole mesh, increasing. The mesh's first Ids.size() points are shared.
@@ -62,20 +62,21 @@ public:
   vtkMTOrientation(vtkMTSpoolStore& store, std::size_t memory);
 
   ///@{
-  /// All fragments, then Solve. Add gives every piece of the fragment the number by which IsReversed knows it. False
-  /// with a message in GetError.
-  bool Add(const Fragment& fragment, std::vector<std::uint32_t>& pieces);
+  /// All fragments, then Solve. Add gives every component of the fragment the number by which IsReversed knows it.
+  /// False with a message in GetError.
+  bool Add(const Fragment& fragment, std::vector<std::uint32_t>& components);
   bool Solve();
   ///@}
 
-  /// Whether a triangle is to be turned round, by its piece and whether it disagrees with the piece's first triangle.
-  bool IsReversed(std::uint32_t piece, bool isTurned) const
+  /// Whether a triangle is to be turned round, by its component and whether it disagrees with the component's first
+  /// triangle.
+  bool IsReversed(std::uint32_t component, bool isTurned) const
   {
-    const std::uint32_t what = piece < LeaveAll ? this->Parts[piece].Reverse : piece;
+    const std::uint32_t what = component < LeaveAll ? this->Parts[component].Reverse : component;
     return what != LeaveAll && isTurned == (what == ReverseTurned);
   }
   ///@{
-  /// In place of a number: what becomes of a piece that is settled.
+  /// In place of a number: what becomes of a component that is settled.
   static constexpr std::uint32_t LeaveAll = ~std::uint32_t(0) - 2;
   static constexpr std::uint32_t ReverseTurned = LeaveAll + 1; ///< those that disagree with the first one
   static constexpr std::uint32_t ReverseOthers = LeaveAll + 2; ///< those that agree with it
@@ -89,7 +90,7 @@ public:
 private:
   struct Part
   {
-    Piece Own;
+    Component Own;
     std::uint32_t Parent;
     std::uint32_t Reverse; // LeaveAll, ReverseTurned or ReverseOthers
     bool Parity;           // with respect to the parent
@@ -98,7 +99,7 @@ private:
   std::uint32_t Find(std::uint32_t part, bool& parity);
   void Connect(std::uint32_t a, std::uint32_t b, bool differ, bool conflict);
   void Settle();
-  std::uint32_t Count(const Piece& piece);
+  std::uint32_t Count(const Component& component);
 
   vtkMTRecordSort Edges;
   std::vector<Part> Parts;

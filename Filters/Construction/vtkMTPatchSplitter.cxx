@@ -20,6 +20,63 @@ vtkMTColumn Gather(const vtkMTColumn& column, std::size_t tupleSize, const std::
   return result;
 }
 
+std::vector<vtkMTColumn> GatherAll(const std::vector<vtkMTColumn>& columns, const std::vector<std::size_t>& tupleSizes,
+  const std::vector<std::uint32_t>& tuples)
+{
+  std::vector<vtkMTColumn> result;
+  result.reserve(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    result.push_back(Gather(columns[i], tupleSizes[i], tuples));
+  }
+  return result;
+}
+
+// The points and wedges that triangles use, each once; scratch, of wedges and then of points, has no None for these.
+struct Corners
+{
+  std::vector<std::uint32_t> Points;
+  std::vector<std::uint32_t> Wedges;
+
+  void Forget(std::size_t wedgeCount, std::vector<std::uint32_t>& scratch) const
+  {
+    for (std::uint32_t w : this->Wedges)
+    {
+      scratch[w] = vtkMTPatchSplitter::None;
+    }
+    for (std::uint32_t p : this->Points)
+    {
+      scratch[wedgeCount + p] = vtkMTPatchSplitter::None;
+    }
+  }
+};
+
+Corners FindCorners(
+  const vtkMTPatch& mesh, const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& scratch)
+{
+  Corners corners;
+  const std::size_t wedgeCount = mesh.GetNumberOfWedges();
+  for (std::uint32_t t : triangles)
+  {
+    for (std::uint32_t w : mesh.Triangles[t])
+    {
+      if (scratch[w] != vtkMTPatchSplitter::None)
+      {
+        continue;
+      }
+      scratch[w] = 0;
+      corners.Wedges.push_back(w);
+      const std::uint32_t p = mesh.GetPointOfWedge(w);
+      if (scratch[wedgeCount + p] == vtkMTPatchSplitter::None)
+      {
+        scratch[wedgeCount + p] = 0;
+        corners.Points.push_back(p);
+      }
+    }
+  }
+  return corners;
+}
+
 std::vector<std::size_t> GetTupleSizes(const std::vector<vtkMTColumn>& columns, std::size_t tuples)
 {
   std::vector<std::size_t> sizes;
@@ -120,26 +177,9 @@ vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector
 {
   vtkMTPatch patch;
   const std::size_t wedgeCount = mesh.GetNumberOfWedges();
-  std::vector<std::uint32_t> points;
-  std::vector<std::uint32_t> wedges;
-  for (std::uint32_t t : triangles)
-  {
-    for (std::uint32_t w : mesh.Triangles[t])
-    {
-      if (scratch[w] != None)
-      {
-        continue;
-      }
-      scratch[w] = 0;
-      wedges.push_back(w);
-      const std::uint32_t p = mesh.GetPointOfWedge(w);
-      if (scratch[wedgeCount + p] == None)
-      {
-        scratch[wedgeCount + p] = 0;
-        points.push_back(p);
-      }
-    }
-  }
+  Corners corners = FindCorners(mesh, triangles, scratch);
+  std::vector<std::uint32_t>& points = corners.Points;
+  std::vector<std::uint32_t>& wedges = corners.Wedges;
   std::vector<std::uint32_t> sortScratch;
   vtkMTRadixSort::Sort(points, sortScratch, [](std::uint32_t p) { return std::uint64_t(p); });
   std::stable_partition(points.begin(), points.end(), [&isShared](std::uint32_t p) { return isShared[p] != 0; });
@@ -176,22 +216,9 @@ vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector
     const vtkMTTriangle& w = mesh.Triangles[t];
     patch.Triangles.push_back({ scratch[w[0]], scratch[w[1]], scratch[w[2]] });
   }
-  for (std::size_t i = 0; i < mesh.PointColumns.size(); ++i)
-  {
-    patch.PointColumns.push_back(Gather(mesh.PointColumns[i], pointTupleSizes[i], wedges));
-  }
-  for (std::size_t i = 0; i < mesh.CellColumns.size(); ++i)
-  {
-    patch.CellColumns.push_back(Gather(mesh.CellColumns[i], cellTupleSizes[i], triangles));
-  }
-  for (std::uint32_t w : wedges)
-  {
-    scratch[w] = None;
-  }
-  for (std::uint32_t p : points)
-  {
-    scratch[wedgeCount + p] = None;
-  }
+  patch.PointColumns = GatherAll(mesh.PointColumns, pointTupleSizes, wedges);
+  patch.CellColumns = GatherAll(mesh.CellColumns, cellTupleSizes, triangles);
+  corners.Forget(wedgeCount, scratch);
   return patch;
 }
 

@@ -7,7 +7,7 @@
  * edge (one that a single triangle uses, by index) is stitched to another one when their ends are equal bit for bit,
  * when no third border edge lies there, and when they run in opposite directions. Edges of different parts do not see
  * each other; an edge is of its triangle's part. Nothing else is merged: sheets that merely coincide, and points that
- * merely are close, stay what their indices say.
+ * merely are close, stay what their indices make them.
  *
  * The mesh comes in blocks. Edges that only one block can have are settled there; the others are sorted by index,
  * border edges by the hash of their places, and what is to be joined by place again: joined points lie at one place, so
@@ -45,13 +45,16 @@ public:
 
   ///@{
   /// All blocks with their edges, then Finish. No triangle may have two corners at one place. partColumn: which of the
-  /// block's columns says of what part a triangle is, as 32-bit integers; -1: there is only one. False with a message
-  /// in GetError.
+  /// block's columns holds the part that a triangle is of, as 32-bit integers; -1: there is only one. False with a
+  /// message in GetError.
   bool Add(const vtkMTInputBlock& block, const BlockEdges& edges, int partColumn = -1);
   bool Finish();
   ///@}
 
-  std::int64_t GetStitchedEdges() const { return this->StitchedEdges; } ///< pairs of border edges that were joined
+  std::int64_t GetNumberOfStitchedEdges() const
+  {
+    return this->StitchedEdges;
+  } ///< pairs of border edges that were joined
   std::int64_t GetNumberOfWeldedPoints() const
   {
     return this->StitchedPoints;

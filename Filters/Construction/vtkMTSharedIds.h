@@ -3,7 +3,7 @@
  * @class vtkMTSharedIds
  * @brief numbers the points that several regions of the input share, in the order in which they will be stored
  *
- * The input numbers its points in any order; said by these numbers, the identities of a border would take a few bytes
+ * The input numbers its points in any order; stored as these numbers, the identities of a border would take a few bytes
  * each. The first region that has a shared point numbers it instead, by its place along that region's border
  * (vtkMTBorderOrder), so that they run along the borders of all patches. Sorting the pairs (point, region) by point
  * shows which region is the first one, sorting back by region gives each its new ones. Both are external sorts.

@@ -23,7 +23,7 @@ vtkMTSharedNormals::vtkMTSharedNormals(vtkMTSpoolStore& store, std::size_t memor
 }
 
 void vtkMTSharedNormals::FindTerms(const vtkMTPatch& fragment, const std::vector<std::uint32_t>& numbers,
-  const std::vector<std::uint32_t>& pieceOf, const std::vector<unsigned char>& isTurned, std::uint32_t region,
+  const std::vector<std::uint32_t>& componentOf, const std::vector<unsigned char>& isTurned, std::uint32_t region,
   std::vector<Term>& terms)
 {
   const auto getKey = [&fragment](std::uint32_t point, std::uint32_t triangle)
@@ -41,24 +41,24 @@ void vtkMTSharedNormals::FindTerms(const vtkMTPatch& fragment, const std::vector
     {
       if (isShared(c))
       {
-        terms.push_back({ getKey(p[c], numbers[t]), pieceOf[t], isTurned[t], sums[c] });
+        terms.push_back({ getKey(p[c], numbers[t]), componentOf[t], isTurned[t], sums[c] });
       }
     }
   }
   for (std::uint32_t point = 0; point < fragment.Ids.size(); ++point)
   {
-    // In the place of a piece: the region that has the point.
+    // In the place of a component: the region that has the point.
     terms.push_back({ getKey(point, AllTriangles), region, 0, {} });
   }
 }
 
-bool vtkMTSharedNormals::Add(const std::vector<Term>& terms, const std::vector<std::uint32_t>& pieces)
+bool vtkMTSharedNormals::Add(const std::vector<Term>& terms, const std::vector<std::uint32_t>& components)
 {
   for (Term term : terms)
   {
     if (static_cast<std::uint32_t>(term.Key) != AllTriangles)
     {
-      term.Piece = pieces[term.Piece];
+      term.Component = components[term.Component];
     }
     if (!this->Terms.Add(&term))
     {
@@ -85,11 +85,12 @@ bool vtkMTSharedNormals::Solve(const vtkMTOrientation& orientation)
     }
     if (static_cast<std::uint32_t>(term.Key) == AllTriangles)
     {
-      const NormalRecord normal{ (std::uint64_t(term.Piece) << 32) | point, vtkMTPointNormals::GetDirection(sum), 0 };
+      const NormalRecord normal{ (std::uint64_t(term.Component) << 32) | point, vtkMTPointNormals::GetDirection(sum),
+        0 };
       good = this->Normals.Add(&normal);
       continue;
     }
-    const bool isReversed = orientation.IsReversed(term.Piece, term.IsTurned != 0);
+    const bool isReversed = orientation.IsReversed(term.Component, term.IsTurned != 0);
     for (int i = 0; i < 3; ++i)
     {
       sum[i] += isReversed ? -term.Sum[i] : term.Sum[i];

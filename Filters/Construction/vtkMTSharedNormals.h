@@ -28,7 +28,7 @@ public:
   struct Term
   {
     std::uint64_t Key; ///< point above, the triangle's number below; AllTriangles for the entry that names a region
-    std::uint32_t Piece;
+    std::uint32_t Component;
     std::uint32_t IsTurned;
     std::array<double, 3> Sum;
   };
@@ -37,17 +37,17 @@ public:
   vtkMTSharedNormals(vtkMTSpoolStore& store, std::size_t memory);
 
   /**
-   * The terms of a fragment's triangles at its shared points. Made by any thread; pieceOf and isTurned are the
-   * fragment's (vtkMTOrientation::Fragment), and pieces are still counted within it.
+   * The terms of a fragment's triangles at its shared points. Made by any thread; componentOf and isTurned are the
+   * fragment's (vtkMTOrientation::Fragment), and components are still counted within it.
    */
   static void FindTerms(const vtkMTPatch& fragment, const std::vector<std::uint32_t>& numbers,
-    const std::vector<std::uint32_t>& pieceOf, const std::vector<unsigned char>& isTurned, std::uint32_t region,
+    const std::vector<std::uint32_t>& componentOf, const std::vector<unsigned char>& isTurned, std::uint32_t region,
     std::vector<Term>& terms);
 
   ///@{
-  /// All fragments' terms, with the numbers that vtkMTOrientation gave to their pieces; then Solve; then regions in
+  /// All fragments' terms, with the numbers that vtkMTOrientation gave to their components; then Solve; then regions in
   /// increasing order. False with a message in GetError.
-  bool Add(const std::vector<Term>& terms, const std::vector<std::uint32_t>& pieces);
+  bool Add(const std::vector<Term>& terms, const std::vector<std::uint32_t>& components);
   bool Solve(const vtkMTOrientation& orientation);
   /// Replaces the normals of the fragment's shared points.
   bool Take(std::uint32_t region, const vtkMTPatch& fragment, std::vector<std::array<float, 3>>& normals);

@@ -6,9 +6,9 @@
  * The level loop of Cignoni et al., "Batched Multi Triangulation" (2005), section 4, over a partition sequence
  * Psi_0, Psi_1 ... coarser and coarser. The input's positions are snapped to one lattice, its seams stitched, and its
  * triangles sorted into the patches of the crossing of Psi_0 and Psi_1. Then, level by level, the patches of each
- * region are put together by identity (the floor), simplified to half their triangles without touching the vertices
+ * region are assembled by identity (the floor), simplified to half their triangles without touching the vertices
  * that triangles outside the region use, certified (two-sided distance between floor and fragment, rounded up), given
- * the floor's attributes, and cut into the patches of the next crossing; a triangle's region is asked once, by its
+ * the floor's attributes, and split into the patches of the next crossing; a triangle's region is asked once, by its
  * barycentre, for the next partition only and inherited for the present one. Errors and spheres are saturated at the
  * end. Every region is independent of the others of its level, so regions run in parallel and the result does not
  * depend on the number of threads.
@@ -112,7 +112,7 @@ public:
   ///@{
   /**
    * The most memory that the builder may hold beyond what the process has when Build begins, in bytes; what sinks and
-   * streams hold is not in it. Default 0: no limit. A limit that is too small for the mesh is an error that says the
+   * streams hold is not in it. Default 0: no limit. A limit that is too small for the mesh is an error that names the
    * least that would do. Has no influence on the result.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);

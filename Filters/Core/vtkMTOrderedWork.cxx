@@ -72,7 +72,7 @@ public:
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       Result& result = this->Results[index % this->Results.size()];
-      this->InHand -= result.Cost;
+      this->AtWork -= result.Cost;
       result = Result();
       ++this->Taken;
     }
@@ -94,7 +94,7 @@ private:
   bool HasRoomForNext() const
   {
     return this->Next < this->Taken + this->Results.size() &&
-      (this->InHand == 0 || this->Limit.Memory == 0 || this->InHand + this->GetCost(this->Next) <= this->Limit.Memory);
+      (this->AtWork == 0 || this->Limit.Memory == 0 || this->AtWork + this->GetCost(this->Next) <= this->Limit.Memory);
   }
 
   void WorkOn()
@@ -114,7 +114,7 @@ private:
       const std::size_t index = this->Next++;
       const std::size_t slot = index % this->Results.size();
       const std::uint64_t cost = this->GetCost(index);
-      this->InHand += cost;
+      this->AtWork += cost;
       lock.unlock();
       std::string error;
       bool good = !this->DoFetch || Guard(this->DoFetch, index, slot, error);
@@ -141,7 +141,7 @@ private:
 
   const std::size_t Count;
   const vtkMTOrderedWork::Budget& Limit;
-  std::uint64_t InHand = 0; // cost of what is begun and not yet taken
+  std::uint64_t AtWork = 0; // cost of what is begun and not yet taken
   std::mutex Turn;
   std::mutex Mutex;
   std::condition_variable HasResult;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTOrderedWork
- * @brief does independent pieces of work in parallel and takes their results over in order
+ * @brief does independent work in parallel and takes their results over in order
  *
  * Worker threads take the indices 0, 1, 2 ... one after the other; the calling thread takes the results over in the
  * order of the indices, while the workers go on. No worker is further ahead than the number of slots, nor do all of
  * them together take up more memory than a budget, so memory in flight is bounded. Reading belongs into the work,
  * writing into the taking over: both then overlap with everything else. What can only be read in order is fetched, by
- * one worker at a time, just before its work. A lock is taken a few times per piece of work and never within it.
+ * one worker at a time, just before its work. A lock is taken a few times per index and never within its work.
  *
  * Errors: the message of the smallest index that failed, whatever the threads; exceptions of the work become messages.
  */
@@ -27,7 +27,7 @@ struct VTKMTFILTERSCORE_EXPORT vtkMTOrderedWork
   using Work = std::function<bool(std::size_t index, std::size_t slot, std::string& error)>;
 
   /// What the indices that are worked on at a time may cost together, in bytes: one more than that is only begun when
-  /// nothing else is in hand. Cost may be called by any thread.
+  /// nothing else is worked on. Cost may be called by any thread.
   struct Budget
   {
     std::uint64_t Memory = 0; ///< 0: no limit

@@ -7,7 +7,7 @@
  * every second is charged once. CPU time is the thread's; wall time is summed over threads, so that what it has more
  * than CPU time is waiting, for the disk as a rule; a thread that waits for the work of others charges nothing. Stages
  * that overlap are charged side by side, so all stages together may take longer than the clock says. Two clock readings
- * per scope: for pieces of work, not for loops.
+ * per scope: for units of work, not for loops.
  */
 #ifndef vtkMTStageTimes_h
 #define vtkMTStageTimes_h
@@ -26,9 +26,9 @@ public:
     Read,     ///< the input's points and triangles
     Seed,     ///< barycentres, placing regions, finding triangles' regions
     Sort,     ///< external sorting, stitching, orientation, locks
-    Assemble, ///< putting fragments and floors together, cutting patches
+    Assemble, ///< assembling fragments and floors, splitting into patches
     Simplify,
-    Certify, ///< bounding the deviation, and carrying attributes over, which follows its pieces
+    Certify, ///< bounding the deviation, and carrying attributes over, which goes by what it found
     Encode,  ///< patches for the sink, fragments for the spools
     Write,   ///< spools, checkpoints and the file
     NumberOfStages

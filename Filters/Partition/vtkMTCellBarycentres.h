@@ -37,7 +37,7 @@ public:
   static std::size_t CountNotFinite(const std::vector<Point>& barycentres);
 
   /**
-   * The strategy's partition of the barycentres. Progress is told after each scan; as nobody knows how many scans a
+   * The strategy's partition of the barycentres. Progress is told after each scan; as it is not known how many scans a
    * strategy will make, it halves what is left each time. Null when progress asked to stop.
    */
   static std::unique_ptr<vtkMTPartition> Build(const vtkMTPartitionStrategy& strategy,

@@ -10,8 +10,10 @@
 #include "vtkMTBarycentreSample.h"
 #include "vtkMTCellBarycentres.h"
 #include "vtkMTSeedPartition.h"
+#include "vtkMTSetMacros.h"
 #include "vtkMTSliverMerge.h"
 #include "vtkNew.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -22,6 +24,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkMTCrossing);
+vtkMTCxxSetClampMacro(vtkMTCrossing, SliverShare, 0.0, 1.0);
 
 namespace
 {

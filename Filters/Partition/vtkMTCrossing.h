@@ -58,8 +58,8 @@ public:
 
   ///@{
   /// Elements with less than this share of the mean number of cells in an element are small. Default 0.1; clamped to
-  /// [0, 1].
-  vtkSetClampMacro(SliverShare, double, 0.0, 1.0);
+  /// [0, 1]; NaN is refused with an error.
+  void SetSliverShare(double value);
   vtkGetMacro(SliverShare, double);
   ///@}
 

@@ -21,13 +21,13 @@ public:
   static void Locate(
     const vtkMTPartition& partition, const std::array<double, 3>* points, std::size_t count, std::uint32_t* regions)
   {
-    const std::size_t piece = 1024;
-    const std::int64_t pieces = static_cast<std::int64_t>((count + piece - 1) / piece);
-#pragma omp parallel for schedule(static) if (pieces > 1)
-    for (std::int64_t i = 0; i < pieces; ++i)
+    const std::size_t chunk = 1024;
+    const std::int64_t chunks = static_cast<std::int64_t>((count + chunk - 1) / chunk);
+#pragma omp parallel for schedule(static) if (chunks > 1)
+    for (std::int64_t i = 0; i < chunks; ++i)
     {
-      const std::size_t begin = static_cast<std::size_t>(i) * piece;
-      partition.LocateAll(points + begin, std::min(piece, count - begin), regions + begin);
+      const std::size_t begin = static_cast<std::size_t>(i) * chunk;
+      partition.LocateAll(points + begin, std::min(chunk, count - begin), regions + begin);
     }
   }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPartition
- * @brief a partition of space into regions: it says in which region a point lies
+ * @brief a partition of space into regions: it tells in which region a point lies
  *
  * BMT section 4: a triangle goes by its barycentre. Immutable once made; Locate may be called from any number of
  * threads. Coordinates are those of the scan that it was built from (steps of the lattice in the builder, model units

@@ -4,10 +4,13 @@
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMTCellBarycentres.h"
+#include "vtkMTSetMacros.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkMTPartitionFilter);
+vtkMTCxxSetClampMacro(vtkMTPartitionFilter, TargetTriangles, 1.0, 1e12);
 
 vtkMTPartitionFilter::vtkMTPartitionFilter() = default;
 

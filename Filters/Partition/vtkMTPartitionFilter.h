@@ -30,8 +30,8 @@ public:
 
   ///@{
   /// The wanted mean number of cells in a region; at most MaximumOverload times as many. Default 1000; clamped to [1,
-  /// 1e12].
-  vtkSetClampMacro(TargetTriangles, double, 1.0, 1e12);
+  /// 1e12]; NaN is refused with an error.
+  void SetTargetTriangles(double value);
   vtkGetMacro(TargetTriangles, double);
   ///@}
 

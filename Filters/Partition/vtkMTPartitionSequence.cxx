@@ -4,6 +4,8 @@
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMTCellBarycentres.h"
+#include "vtkMTSetMacros.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -11,6 +13,8 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkMTPartitionSequence);
+vtkMTCxxSetClampMacro(vtkMTPartitionSequence, Growth, 1.1, 1024.0);
+vtkMTCxxSetClampMacro(vtkMTPartitionSequence, FirstTarget, 1.0, 1e12);
 
 vtkMTPartitionSequence::vtkMTPartitionSequence() = default;
 

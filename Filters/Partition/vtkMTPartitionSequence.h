@@ -30,14 +30,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The wanted mean number of cells in a region of Psi_0. Default 1000; clamped to [1, 1e12].
-  vtkSetClampMacro(FirstTarget, double, 1.0, 1e12);
+  /// The wanted mean number of cells in a region of Psi_0. Default 1000; clamped to [1, 1e12]; NaN is refused with an
+  /// error.
+  void SetFirstTarget(double value);
   vtkGetMacro(FirstTarget, double);
   ///@}
 
   ///@{
-  /// Ratio of the targets of successive partitions. Default 2; clamped to [1.1, 1024].
-  vtkSetClampMacro(Growth, double, 1.1, 1024.0);
+  /// Ratio of the targets of successive partitions. Default 2; clamped to [1.1, 1024]; NaN is refused with an
+  /// error.
+  void SetGrowth(double value);
   vtkGetMacro(Growth, double);
   ///@}
 

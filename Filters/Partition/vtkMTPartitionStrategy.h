@@ -26,7 +26,7 @@ public:
   /**
    * Makes the partition of the given mesh with about `target` triangles in a region (mean; > 0). No region holds more
    * than MaximumOverload times the target, except where barycentres coincide. A target of at least the number of
-   * triangles gives one region. level says which partition of the sequence this is (0 the finest): strategies that
+   * triangles gives one region. level tells which partition of the sequence this is (0 the finest): strategies that
    * alternate use it, so that successive partitions do not share borders. Null when the scan failed.
    */
   virtual std::unique_ptr<vtkMTPartition> Build(vtkMTBarycentreScan& scan, double target, int level) const = 0;

@@ -7,6 +7,8 @@
 #include "vtkMTSeedBound.h"
 #include "vtkMTSeedPartition.h"
 #include "vtkMTSeedRelaxation.h"
+#include "vtkMTSetMacros.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <sstream>
 
 vtkStandardNewMacro(vtkMTVoronoiPartition);
+vtkMTCxxSetClampMacro(vtkMTVoronoiPartition, SmallRegion, 0.0, 0.9);
 
 vtkMTVoronoiPartition::vtkMTVoronoiPartition() = default;
 

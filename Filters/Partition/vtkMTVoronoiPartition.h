@@ -9,7 +9,7 @@
  * 1. A sample of the barycentres (SamplesPerRegion of the target) is taken in one scan. With SeedPlacement ALONG_CURVE
  * it is sorted along a Hilbert curve and split into chunks of equal counts; the mean of each chunk is a seed. So the
  * seeds follow the number of triangles, however their density varies. Curves of different levels lie differently, so
- * that successive partitions are not cut in the same places. With RADIUS_SCAN, the paper's way, a second scan makes a
+ * that successive partitions are not split in the same places. With RADIUS_SCAN, the paper's way, a second scan makes a
  * seed of each barycentre that is farther than a radius from all seeds before it; the radius is found by bisection on
  * the sample.
  * 2. LloydSteps times, on the sample: regions with less than SmallRegion of the target lose their seed, the other seeds
@@ -57,8 +57,9 @@ public:
   ///@}
 
   ///@{
-  /// Regions with less than this share of the target are removed in each step. Default 0.25; clamped to [0, 0.9].
-  vtkSetClampMacro(SmallRegion, double, 0.0, 0.9);
+  /// Regions with less than this share of the target are removed in each step. Default 0.25; clamped to [0, 0.9]; NaN
+  /// is refused with an error.
+  void SetSmallRegion(double value);
   vtkGetMacro(SmallRegion, double);
   ///@}
 

@@ -5,7 +5,7 @@
  *
  * Places. The region's box is moved to the origin and scaled by a power of two to about unit size, so that no quadric
  * loses digits to large coordinates. Both steps are exact: a lattice point and its place here are the same number.
- * New places are snapped to the lattice when they are proposed, so every check made here speaks of the fragment as it
+ * New places are snapped to the lattice when they are proposed, so every check made here holds for the fragment as it
  * will be.
  *
  * Ranks say what may become of a vertex. A vertex may disappear into one of equal or higher rank, which then keeps its

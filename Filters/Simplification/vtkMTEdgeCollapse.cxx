@@ -5,6 +5,8 @@
 #include "vtkMTCollapseRegion.h"
 #include "vtkMTComponentRemoval.h"
 #include "vtkMTFanMesh.h"
+#include "vtkMTSetMacros.h"
+
 #include "vtkObjectFactory.h"
 
 #include <array>
@@ -12,6 +14,7 @@
 #include <sstream>
 
 vtkStandardNewMacro(vtkMTEdgeCollapse);
+vtkMTCxxSetClampMacro(vtkMTEdgeCollapse, ComponentBound, 0.0, 1.0);
 
 namespace
 {

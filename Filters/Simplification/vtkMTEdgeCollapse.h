@@ -55,9 +55,10 @@ public:
   ///@{
   /**
    * Components with a bounding-box diagonal above this are never left out, and such holes never closed. Unit:
-   * diagonals of the floor's own box. Default 0.125, range 0 (never any) to 1; values outside are clamped.
+   * diagonals of the floor's own box. Default 0.125, range 0 (never any) to 1; values outside are clamped, NaN is
+   * refused with an error.
    */
-  vtkSetClampMacro(ComponentBound, double, 0.0, 1.0);
+  void SetComponentBound(double value);
   vtkGetMacro(ComponentBound, double);
   ///@}
 

@@ -13,7 +13,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMTLattice.h"
+#include "vtkMTSetMacros.h"
 #include "vtkNew.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -26,6 +28,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkMTSimplificationFilter);
+vtkMTCxxSetClampMacro(vtkMTSimplificationFilter, TargetReduction, 0.0, 1.0);
 
 namespace
 {

@@ -40,9 +40,9 @@ public:
   ///@}
 
   ///@{
-  /// The part of the triangles to take away. Default 0.5, range 0 to 1, clamped. Not used when TargetTriangles is above
-  /// 0.
-  vtkSetClampMacro(TargetReduction, double, 0.0, 1.0);
+  /// The part of the triangles to take away. Default 0.5, range 0 to 1, clamped; NaN is refused with an error. Not used
+  /// when TargetTriangles is above 0.
+  void SetTargetReduction(double value);
   vtkGetMacro(TargetReduction, double);
   ///@}
 

@@ -43,9 +43,9 @@ bool ReadAll(const std::string& path, std::size_t limit, std::vector<unsigned ch
   }
   int code = Z_OK;
   gzerror(file.get(), &code);
-  if (count < 0 || (code != Z_OK && code != Z_STREAM_END)) // a stream that is cut off ends with Z_BUF_ERROR
+  if (count < 0 || (code != Z_OK && code != Z_STREAM_END)) // compressed data that are truncated ends with Z_BUF_ERROR
   {
-    error = "is damaged or cut off; fetch it again";
+    error = "is damaged or truncated; fetch it again";
     return false;
   }
   return true;
@@ -226,7 +226,7 @@ bool vtkMTHeightTile::ReadDem(std::string& error)
   if (!(rows >= 2.0) || rows * static_cast<double>(head.Profiles) * 6.0 > 8.0 * static_cast<double>(text.GetSize()) ||
     !std::isfinite(firstX))
   {
-    error = "its header and its size do not agree: it is damaged or cut off";
+    error = "its header and its size do not agree: it is damaged or truncated";
     return false;
   }
   this->Columns = head.Profiles;
@@ -246,7 +246,7 @@ bool vtkMTHeightTile::ReadDem(std::string& error)
     if (!isInPlace || !(first >= 0.0 && first + count <= rows) || last >= text.GetSize())
     {
       error = "profile " + std::to_string(column + 1) + " of " + std::to_string(this->Columns) +
-        " is damaged or cut off, near byte " + std::to_string(profile);
+        " is damaged or truncated, near byte " + std::to_string(profile);
       return false;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)

@@ -31,7 +31,7 @@ public:
   /// Whether the name, for .vtk also the content, is that of a volume.
   static bool CanRead(const std::string& path);
 
-  /// False, with the reason in error, and an empty output when there is no volume with point scalars to be had.
+  /// False, with the reason in error, and an empty output when there is no volume with point scalars.
   static bool ReadVolume(const std::string& path, vtkImageData* output, std::string& error);
 
   /// The same for the isosurface; one without a triangle is an error that says the range of the scalars.

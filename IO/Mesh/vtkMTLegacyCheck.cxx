@@ -150,7 +150,7 @@ private:
     }
     if (this->IsBinary)
     {
-      return this->Stream.Skip(count * size) || this->Fail("the file is cut off");
+      return this->Stream.Skip(count * size) || this->Fail("the file is truncated");
     }
     std::string_view token;
     for (std::uint64_t i = 0; i < count; ++i)
@@ -171,7 +171,7 @@ private:
     {
       if (!this->Stream.TakeLine(this->Line))
       {
-        return this->Fail("the file is cut off");
+        return this->Fail("the file is truncated");
       }
       token = NextToken(this->Line);
     }
@@ -190,7 +190,7 @@ private:
     const unsigned char* bytes = this->Stream.Take(size);
     if (!bytes)
     {
-      return this->Fail("the file is cut off");
+      return this->Fail("the file is truncated");
     }
     std::uint64_t bits = bytes[0] & 0x80 ? ~std::uint64_t(0) : 0; // big-endian, with a sign
     for (std::size_t i = 0; i < size; ++i)
@@ -320,7 +320,7 @@ private:
     {
       if (this->IsBinary ? !this->SkipBinaryString() : !this->Stream.TakeLine(this->Line))
       {
-        return this->Fail("the file is cut off");
+        return this->Fail("the file is truncated");
       }
     }
     this->Line = std::string_view();

@@ -40,24 +40,24 @@ vtkMTColumn MakePartIds(std::size_t part, std::size_t count)
   return column;
 }
 
-bool FitTogether(const std::vector<std::unique_ptr<vtkMTPieceStream>>& parts)
+bool FitTogether(const std::vector<std::unique_ptr<vtkMTChunkStream>>& parts)
 {
   const std::vector<vtkMTArrayInfo>& arrays = parts.front()->GetArrays();
   const bool isTaken = std::any_of(arrays.begin(), arrays.end(),
     [](const vtkMTArrayInfo& info) { return info.Name == vtkMTMeshMerge::GetPartIdName(); });
   return !isTaken &&
     std::all_of(parts.begin(), parts.end(),
-      [&arrays](const std::unique_ptr<vtkMTPieceStream>& part)
+      [&arrays](const std::unique_ptr<vtkMTChunkStream>& part)
       { return part->GetArrays() == arrays && part->HasPolygonsOnly() && part->GetNumberOfTriangles() > 0; });
 }
 }
 
-std::unique_ptr<vtkMTTriangleStream> vtkMTMergedStream::Make(std::vector<std::unique_ptr<vtkMTPieceStream>> parts)
+std::unique_ptr<vtkMTTriangleStream> vtkMTMergedStream::Make(std::vector<std::unique_ptr<vtkMTChunkStream>> parts)
 {
   return FitTogether(parts) ? std::unique_ptr<vtkMTTriangleStream>(new vtkMTMergedStream(std::move(parts))) : nullptr;
 }
 
-vtkMTMergedStream::vtkMTMergedStream(std::vector<std::unique_ptr<vtkMTPieceStream>> parts)
+vtkMTMergedStream::vtkMTMergedStream(std::vector<std::unique_ptr<vtkMTChunkStream>> parts)
   : Parts(std::move(parts))
   , Arrays(this->Parts.front()->GetArrays())
 {
@@ -113,7 +113,7 @@ bool vtkMTMergedStream::NextTriangles(TriangleBlock& block)
 {
   for (block = TriangleBlock(); this->TrianglePart < this->Parts.size(); ++this->TrianglePart)
   {
-    vtkMTPieceStream& part = *this->Parts[this->TrianglePart];
+    vtkMTChunkStream& part = *this->Parts[this->TrianglePart];
     if (!part.NextTriangles(block))
     {
       return this->Fail(this->TrianglePart);

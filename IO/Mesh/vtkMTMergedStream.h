@@ -3,20 +3,20 @@
 #ifndef vtkMTMergedStream_h
 #define vtkMTMergedStream_h
 
-#include "vtkMTPieceStream.h"
+#include "vtkMTChunkStream.h"
 
 #include <memory>
 #include <vector>
 
 /**
  * The points, and then the triangles, of one file after the other, with the cell array "PartId", as vtkMTMeshMerge
- * would put them together. A part is read on when those before it have ended, so that each holds no more than a piece.
+ * would merge them. A part is read on when those before it have ended, so that each holds no more than a chunk.
  */
 class vtkMTMergedStream : public vtkMTTriangleStream
 {
 public:
   /// Null unless all have the same arrays, none of them "PartId", and no cells but polygons: others need the whole.
-  static std::unique_ptr<vtkMTTriangleStream> Make(std::vector<std::unique_ptr<vtkMTPieceStream>> parts);
+  static std::unique_ptr<vtkMTTriangleStream> Make(std::vector<std::unique_ptr<vtkMTChunkStream>> parts);
 
   const std::vector<vtkMTArrayInfo>& GetArrays() const override { return this->Arrays; }
   std::uint64_t GetNumberOfPoints() const override { return this->Points; }
@@ -27,10 +27,10 @@ public:
   bool NextTriangles(TriangleBlock& block) override;
 
 private:
-  explicit vtkMTMergedStream(std::vector<std::unique_ptr<vtkMTPieceStream>> parts);
+  explicit vtkMTMergedStream(std::vector<std::unique_ptr<vtkMTChunkStream>> parts);
   bool Fail(std::size_t part);
 
-  std::vector<std::unique_ptr<vtkMTPieceStream>> Parts;
+  std::vector<std::unique_ptr<vtkMTChunkStream>> Parts;
   std::vector<vtkMTArrayInfo> Arrays;
   std::map<std::string, std::int64_t> Report;
   std::uint64_t Points = 0;

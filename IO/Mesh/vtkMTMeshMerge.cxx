@@ -368,7 +368,7 @@ bool vtkMTMeshMerge::Merge(const std::vector<vtkSmartPointer<vtkPolyData>>& part
   }
   catch (const std::exception& exception) // no memory
   {
-    error = std::string("the meshes could not be put together: ") + exception.what();
+    error = std::string("the meshes could not be merged: ") + exception.what();
     output->Initialize();
     return false;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTMeshMerge
- * @brief puts several meshes into one that says of every cell which mesh it comes from
+ * @brief merges several meshes into one that says of every cell which mesh it comes from
  *
  * The cells stay in the order in which VTK numbers them (vertices, lines, polygons, strips), within each kind in the
  * order of the meshes. The cell array "PartId" (int, counted from 0 in the order of the meshes) names the mesh of each

@@ -167,7 +167,7 @@ bool CheckGlb(const vtkMTByteSource& bytes, std::string& error)
   std::uint32_t head[3] = { 0, 0, 0 }; // magic, version, length; little-endian
   if (bytes.GetSize() < sizeof(head) || !bytes.Read(0, sizeof(head), head, error))
   {
-    error = error.empty() ? "is cut off" : error;
+    error = error.empty() ? "is truncated" : error;
     return false;
   }
   if (head[1] != 2)
@@ -178,7 +178,7 @@ bool CheckGlb(const vtkMTByteSource& bytes, std::string& error)
   if (head[2] > bytes.GetSize())
   {
     error = "has " + std::to_string(bytes.GetSize()) + " bytes and should have " + std::to_string(head[2]) +
-      ": it is cut off";
+      ": it is truncated";
     return false;
   }
   return true;

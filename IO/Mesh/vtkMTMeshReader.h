@@ -8,7 +8,7 @@
  *
  * - PLY: vtkMTPlyReader; STL: vtkMTStlReader; OBJ: vtkMTObjReader;
  * - VTP, and VTK's legacy format (.vtk) with a polydata in it: VTK's readers;
- * - glTF and GLB: VTK's reader; all meshes of the scene, at the places that their nodes give them, put together; an
+ * - glTF and GLB: VTK's reader; all meshes of the scene, at the places that their nodes give them, as one mesh; an
  * array stays where all of them have it; texture coordinates are turned to count from the image's bottom, as VTK does.
  *
  * Polygons, strips, lines and vertices stay as they are; vtkMTPolyDataStream makes triangles of them. A mesh without
@@ -27,7 +27,7 @@ class vtkPolyData;
 class VTKMTIOMESH_EXPORT vtkMTMeshReader
 {
 public:
-  /// False, with the reason in error, and an empty output when there is no mesh to be had.
+  /// False, with the reason in error, and an empty output when there is no mesh.
   static bool Read(const std::string& path, vtkPolyData* output, std::string& error);
 };
 

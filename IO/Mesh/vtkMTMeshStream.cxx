@@ -46,15 +46,15 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::Open(
 std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::OpenAll(const std::vector<std::string>& paths,
   const Settings& settings, const std::vector<vtkSmartPointer<vtkPolyData>>& names, std::vector<std::uint64_t>& cells)
 {
-  std::vector<std::unique_ptr<vtkMTPieceStream>> parts;
+  std::vector<std::unique_ptr<vtkMTChunkStream>> parts;
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
     std::unique_ptr<vtkMTTriangleStream> stream = Open(paths[i], settings, names[i]);
-    if (!dynamic_cast<vtkMTPieceStream*>(stream.get()))
+    if (!dynamic_cast<vtkMTChunkStream*>(stream.get()))
     {
       return nullptr;
     }
-    parts.emplace_back(static_cast<vtkMTPieceStream*>(stream.release()));
+    parts.emplace_back(static_cast<vtkMTChunkStream*>(stream.release()));
     cells.push_back(parts.back()->GetNumberOfCells());
   }
   return parts.empty() ? nullptr : vtkMTMergedStream::Make(std::move(parts));

@@ -4,9 +4,9 @@
  * @brief mesh files as triangle streams that are never in memory whole
  *
  * PLY (text, and binary of either byte order), STL (binary and text), OBJ and VTP (inline or appended, as text, raw,
- * base64, compressed or not) are read in pieces of 65535 points or cells; points, arrays and triangles are those that
+ * base64, compressed or not) are read in chunks of 65535 points or cells; points, arrays and triangles are those that
  * vtkMTMeshReader and vtkMTPolyDataStream would give for the whole file. A file is read through once when it is opened,
- * to see that it is whole and what its cells are. What needs more than a look at one piece is done by external sorting
+ * to see that it is whole and what its cells are. What needs more than a look at one chunk is done by external sorting
  * (vtkMTRecordSort) in a spool store: the places of polygons' corners, by which they are triangulated, and the
  * wedges of OBJ, whose corners have texture coordinates and normals of their own.
  *

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTObjStream.h"
 
+#include "vtkMTChunkStream.h"
 #include "vtkMTFieldNames.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTObjParser.h"
-#include "vtkMTPieceStream.h"
 #include "vtkMTSpoolWedges.h"
 
 #include "vtkCellData.h"
@@ -121,11 +121,11 @@ bool PassAll(
 }
 
 //------------------------------------------------------------------------------
-class Stream : public vtkMTPieceStream
+class Stream : public vtkMTChunkStream
 {
 public:
   Stream(std::unique_ptr<vtkMTFileByteSource> bytes, vtkMTSpoolStore* store, std::size_t memory)
-    : vtkMTPieceStream(store, memory / 4)
+    : vtkMTChunkStream(store, memory / 4)
     , Name(bytes->GetName())
     , File(*bytes, *store, memory)
     , Copies(*store, sizeof(PointRecord), memory / 4)
@@ -144,7 +144,7 @@ public:
     this->Bytes.reset();
     vtkNew<vtkPolyData> points;
     vtkNew<vtkPolyData> cells;
-    CellCorners corners;
+    vtkMTCellCorners corners;
     const bool isRead =
       this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners) && this->Rewind();
     this->Arrays = GetArraysOf(points, cells);
@@ -279,7 +279,7 @@ private:
     return bytes || key == None;
   }
 
-  bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
+  bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) override
   {
     vtkNew<vtkPoints> points;
     points->SetDataType(this->File.IsDouble ? VTK_DOUBLE : VTK_FLOAT);
@@ -300,17 +300,17 @@ private:
       points->SetPoint(i, record.Place);
       colors->SetTypedTuple(i, record.Color);
     }
-    piece->SetPoints(points);
+    chunk->SetPoints(points);
     if (this->File.HasColors)
     {
-      piece->GetPointData()->AddArray(colors);
+      chunk->GetPointData()->AddArray(colors);
     }
-    piece->GetPointData()->SetTCoords(this->Textures.GetNumberOfRequests() > 0 ? coordinates : nullptr);
-    piece->GetPointData()->SetNormals(this->Normals.GetNumberOfRequests() > 0 ? normals : nullptr);
+    chunk->GetPointData()->SetTCoords(this->Textures.GetNumberOfRequests() > 0 ? coordinates : nullptr);
+    chunk->GetPointData()->SetNormals(this->Normals.GetNumberOfRequests() > 0 ? normals : nullptr);
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* chunk, vtkMTCellCorners& corners) override
   {
     vtkNew<vtkIntArray> materials;
     vtkNew<vtkIntArray> groups;
@@ -329,11 +329,11 @@ private:
     }
     if (!this->File.MaterialNames.empty())
     {
-      piece->GetCellData()->AddArray(materials);
+      chunk->GetCellData()->AddArray(materials);
     }
     if (this->File.Group > 0)
     {
-      piece->GetCellData()->AddArray(groups);
+      chunk->GetCellData()->AddArray(groups);
     }
     return true;
   }

@@ -22,8 +22,9 @@ bool IsByte(const vtkMTPlyProperty* property)
 }
 }
 
-vtkMTPlyColumns::vtkMTPlyColumns(const vtkMTPlyElement& element)
+vtkMTPlyColumns::vtkMTPlyColumns(const vtkMTPlyElement& element, std::uint64_t count)
   : Element(element)
+  , Count(count)
   , Targets(element.Properties.size())
 {
 }
@@ -44,11 +45,11 @@ vtkSmartPointer<vtkDataArray> vtkMTPlyColumns::Group(
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName(name);
   array->SetNumberOfComponents(static_cast<int>(properties.size()));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(this->Element.Count));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(this->Count));
   const std::size_t size = vtkMTPlyHeader::GetSize(type);
   // An array without rows may have no address; a target must have one, though nothing will be written there.
   static unsigned char nowhere;
-  unsigned char* first = this->Element.Count > 0 ? static_cast<unsigned char*>(array->GetVoidPointer(0)) : nullptr;
+  unsigned char* first = this->Count > 0 ? static_cast<unsigned char*>(array->GetVoidPointer(0)) : nullptr;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     this->Targets[places[i]] = { first ? first + i * size : &nowhere, properties.size() * size, type };

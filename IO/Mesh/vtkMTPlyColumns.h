@@ -18,8 +18,8 @@ class vtkDataSetAttributes;
 class vtkMTPlyColumns
 {
 public:
-  /// The element must outlive this; its count must have been compared with the file's size.
-  explicit vtkMTPlyColumns(const vtkMTPlyElement& element);
+  /// For so many rows of the element, which must outlive this; the count must have been compared with the file's size.
+  vtkMTPlyColumns(const vtkMTPlyElement& element, std::uint64_t count);
 
   /// An array of these properties, if the element has them all, no list among them and none in an array yet; else none.
   /// The array must stay in place while values are stored.
@@ -51,6 +51,7 @@ private:
   }
 
   const vtkMTPlyElement& Element;
+  const std::uint64_t Count;
   std::vector<Target> Targets;
 };
 

@@ -37,6 +37,12 @@ int ParseType(std::string_view name)
 }
 }
 
+const vtkMTPlyProperty* vtkMTPlyElement::FindCorners() const
+{
+  const vtkMTPlyProperty* corners = this->Find("vertex_indices");
+  return corners ? corners : this->Find("vertex_index");
+}
+
 const vtkMTPlyProperty* vtkMTPlyElement::Find(const std::string& name) const
 {
   for (const vtkMTPlyProperty& property : this->Properties)
@@ -237,4 +243,35 @@ const char* vtkMTPlyHeader::GetTypeName(int type)
     }
   }
   return "";
+}
+
+bool vtkMTPlyHeader::CheckIsMesh(std::string& error) const
+{
+  const vtkMTPlyElement* vertex = this->Find("vertex");
+  if (!vertex)
+  {
+    error = "has no element vertex";
+    return false;
+  }
+  for (const char* name : { "x", "y", "z" })
+  {
+    const vtkMTPlyProperty* property = vertex->Find(name);
+    if (!property || property->IsList())
+    {
+      error = std::string("its element vertex has no property ") + name;
+      return false;
+    }
+  }
+  for (const char* name : { "face", "tristrips" })
+  {
+    const vtkMTPlyElement* element = this->Find(name);
+    const vtkMTPlyProperty* indices = element ? element->FindCorners() : nullptr;
+    const bool isGood = indices && indices->IsList() && indices->Type != VTK_FLOAT && indices->Type != VTK_DOUBLE;
+    if (element && element->Count > 0 && !isGood)
+    {
+      error = std::string("its element ") + name + " has no list of whole numbers vertex_indices";
+      return false;
+    }
+  }
+  return true;
 }

@@ -25,6 +25,8 @@ struct vtkMTPlyElement
 
   /// nullptr when there is none of that name.
   const vtkMTPlyProperty* Find(const std::string& name) const;
+  /// The property vertex_indices, or vertex_index; nullptr when there is neither.
+  const vtkMTPlyProperty* FindCorners() const;
 };
 
 struct vtkMTPlyHeader
@@ -41,6 +43,10 @@ struct vtkMTPlyHeader
 
   /// Takes the header off the stream. False, with the reason and the line in error.
   bool Parse(vtkMTTextFormat::Stream& stream, std::string& error);
+
+  /// Whether there is all that a mesh takes: places of vertices, corners of faces and strips. False with the reason in
+  /// error.
+  bool CheckIsMesh(std::string& error) const;
 
   const vtkMTPlyElement* Find(const std::string& name) const;
   /// Bytes that a row takes at least.

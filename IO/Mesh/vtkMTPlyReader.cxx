@@ -2,8 +2,9 @@
 #include "vtkMTPlyReader.h"
 
 #include "vtkMTFieldNames.h"
-#include "vtkMTPlyColumns.h"
+#include "vtkMTPlyFaces.h"
 #include "vtkMTPlyRows.h"
+#include "vtkMTPlyVertices.h"
 #include "vtkMTReadWhole.h"
 #include "vtkMTWedgeSplitter.h"
 
@@ -13,13 +14,13 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
-#include <limits>
+#include <memory>
+#include <vector>
 
 namespace
 {
@@ -38,26 +39,17 @@ public:
   bool Read(std::string& error);
 
 private:
-  bool CheckHeader(std::string& error) const;
   bool ReadElement(const vtkMTPlyElement& element);
-  bool ReadVertices(const vtkMTPlyElement& element);
   bool ReadFaces(const vtkMTPlyElement& element);
   bool ReadStrips(const vtkMTPlyElement& element);
   bool SkipRows(const vtkMTPlyElement& element);
-  bool SkipProperty(const vtkMTPlyProperty& property);
-  bool ReadCorners(const vtkMTPlyProperty& property, bool allowSeparator, std::vector<vtkIdType>& corners);
-  bool ReadTextureCoordinates(const vtkMTPlyProperty& property);
-  bool CheckIsAtEnd(std::string& error);
   void SplitWedges();
+  void AddStrips();
   void Finish();
 
-  static const vtkMTPlyProperty* FindIndices(const vtkMTPlyElement& element)
-  {
-    const vtkMTPlyProperty* indices = element.Find("vertex_indices");
-    return indices ? indices : element.Find("vertex_index");
-  }
-  static vtkSmartPointer<vtkCellArray> ToCells(
-    const std::vector<vtkIdType>& offsets, const std::vector<vtkIdType>& corners);
+  // Offsets: where each cell ends.
+  template <class Offset, class Corner>
+  static vtkSmartPointer<vtkCellArray> ToCells(const std::vector<Offset>& ends, const std::vector<Corner>& corners);
 
   vtkMTTextFormat::Stream Stream;
   vtkMTPlyHeader Header;
@@ -65,53 +57,11 @@ private:
   vtkPolyData* Output;
   std::uint64_t VertexCount = 0;
 
-  std::vector<vtkIdType> FaceOffsets{ 0 };
-  std::vector<vtkIdType> FaceCorners;
-  std::vector<vtkIdType> StripOffsets{ 0 };
+  vtkMTCellCorners Faces;
+  std::unique_ptr<vtkMTPlyFaces> FaceRows; // where there are any
+  std::vector<std::size_t> StripEnds;
   std::vector<vtkIdType> StripCorners;
-  bool HasTextureCoordinates = false;
-  bool TextureCoordinatesAreDouble = false;
-  std::vector<double> TextureCoordinates; // two per face corner; 0 where a face has none
 };
-
-bool Reader::CheckHeader(std::string& error) const
-{
-  const vtkMTPlyElement* vertex = this->Header.Find("vertex");
-  if (!vertex)
-  {
-    error = "has no element vertex";
-    return false;
-  }
-  for (const char* name : { "x", "y", "z" })
-  {
-    const vtkMTPlyProperty* property = vertex->Find(name);
-    if (!property || property->IsList())
-    {
-      error = std::string("its element vertex has no property ") + name;
-      return false;
-    }
-  }
-  for (const char* name : { "face", "tristrips" })
-  {
-    const vtkMTPlyElement* element = this->Header.Find(name);
-    const vtkMTPlyProperty* indices = element ? FindIndices(*element) : nullptr;
-    const bool isGood = indices && indices->IsList() && indices->Type != VTK_FLOAT && indices->Type != VTK_DOUBLE;
-    if (element && element->Count > 0 && !isGood)
-    {
-      error = std::string("its element ") + name + " has no list of whole numbers vertex_indices";
-      return false;
-    }
-  }
-  return true;
-}
-
-bool Reader::SkipProperty(const vtkMTPlyProperty& property)
-{
-  double value;
-  std::uint64_t count = 0;
-  return property.IsList() ? this->Rows.ReadCount(property, count) && this->Rows.SkipItems(property, count)
-                           : this->Rows.Read(property, value);
-}
 
 bool Reader::SkipRows(const vtkMTPlyElement& element)
 {
@@ -123,7 +73,7 @@ bool Reader::SkipRows(const vtkMTPlyElement& element)
     }
     for (const vtkMTPlyProperty& property : element.Properties)
     {
-      if (!this->SkipProperty(property))
+      if (!this->Rows.SkipProperty(property))
       {
         return false;
       }
@@ -132,161 +82,20 @@ bool Reader::SkipRows(const vtkMTPlyElement& element)
     {
       return false;
     }
-  }
-  return true;
-}
-
-bool Reader::ReadVertices(const vtkMTPlyElement& element)
-{
-  vtkMTPlyColumns columns(element);
-  const std::vector<std::string> place = { "x", "y", "z" };
-  const int type = columns.FindRealType(place);
-  vtkNew<vtkPoints> points;
-  points->SetData(columns.Group(place, "Points", type));
-  this->Output->SetPoints(points);
-  vtkPointData* attributes = this->Output->GetPointData();
-  const std::vector<std::string> normal = { "nx", "ny", "nz" };
-  attributes->SetNormals(columns.Group(normal, "Normals", columns.FindRealType(normal)));
-  columns.AddColors(attributes);
-  const std::vector<std::vector<std::string>> pairs = { { "s", "t" }, { "u", "v" }, { "texture_u", "texture_v" },
-    { "texture_s", "texture_t" } };
-  for (const std::vector<std::string>& pair : pairs)
-  {
-    if (!attributes->GetTCoords())
-    {
-      attributes->SetTCoords(columns.Group(pair, "TCoords", columns.FindRealType(pair)));
-    }
-  }
-  columns.AddOthers(attributes);
-  for (std::uint64_t row = 0; row < element.Count; ++row)
-  {
-    if (!this->Rows.BeginRow())
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < element.Properties.size(); ++i)
-    {
-      const vtkMTPlyProperty& property = element.Properties[i];
-      double value = 0.0;
-      if (property.IsList() ? !this->SkipProperty(property) : !this->Rows.Read(property, value))
-      {
-        return false;
-      }
-      if (!property.IsList())
-      {
-        columns.Store(i, row, value);
-      }
-    }
-    if (!this->Rows.EndRow())
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool Reader::ReadCorners(const vtkMTPlyProperty& property, bool allowSeparator, std::vector<vtkIdType>& corners)
-{
-  std::uint64_t count = 0;
-  if (!this->Rows.ReadCount(property, count))
-  {
-    return false;
-  }
-  for (std::uint64_t i = 0; i < count; ++i)
-  {
-    double value = 0.0;
-    if (!this->Rows.Read(property, value))
-    {
-      return false;
-    }
-    const bool isSeparator = allowSeparator && value == -1.0;
-    if (!isSeparator && !(value >= 0.0 && value < static_cast<double>(this->VertexCount)))
-    {
-      return this->Rows.Fail("vertex " + std::to_string(static_cast<std::int64_t>(value)) +
-        " does not exist; there are " + std::to_string(this->VertexCount));
-    }
-    corners.push_back(static_cast<vtkIdType>(value));
-  }
-  return true;
-}
-
-// Those of the face whose corners may come before or after them in the row.
-bool Reader::ReadTextureCoordinates(const vtkMTPlyProperty& property)
-{
-  std::uint64_t count = 0;
-  if (!this->Rows.ReadCount(property, count))
-  {
-    return false;
-  }
-  for (std::uint64_t i = 0; i < count; ++i)
-  {
-    double value = 0.0;
-    if (!this->Rows.Read(property, value))
-    {
-      return false;
-    }
-    this->TextureCoordinates.push_back(value);
   }
   return true;
 }
 
 bool Reader::ReadFaces(const vtkMTPlyElement& element)
 {
-  vtkMTPlyColumns columns(element);
-  vtkCellData* attributes = this->Output->GetCellData();
-  columns.AddColors(attributes);
-  columns.AddOthers(attributes);
-  const vtkMTPlyProperty* indices = FindIndices(element);
-  const vtkMTPlyProperty* texture = element.Find("texcoord");
-  texture = texture && texture->IsList() ? texture : nullptr;
-  this->HasTextureCoordinates = texture != nullptr;
-  this->TextureCoordinatesAreDouble = texture && texture->Type != VTK_FLOAT;
-  for (std::uint64_t row = 0; row < element.Count; ++row)
-  {
-    if (!this->Rows.BeginRow())
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < element.Properties.size(); ++i)
-    {
-      const vtkMTPlyProperty& property = element.Properties[i];
-      double value = 0.0;
-      const bool done = &property == indices ? this->ReadCorners(property, false, this->FaceCorners)
-        : &property == texture               ? this->ReadTextureCoordinates(property)
-        : property.IsList()                  ? this->SkipProperty(property)
-                                             : this->Rows.Read(property, value);
-      if (!done)
-      {
-        return false;
-      }
-      if (!property.IsList())
-      {
-        columns.Store(i, row, value);
-      }
-    }
-    const std::size_t wanted = 2 * this->FaceCorners.size();
-    const std::size_t before = 2 * static_cast<std::size_t>(this->FaceOffsets.back());
-    if (texture && this->TextureCoordinates.size() == before)
-    {
-      this->TextureCoordinates.resize(wanted, 0.0);
-    }
-    if (texture && this->TextureCoordinates.size() != wanted)
-    {
-      return this->Rows.Fail(std::to_string(this->TextureCoordinates.size() - before) + " texture coordinates for " +
-        std::to_string((wanted - before) / 2) + " corners");
-    }
-    this->FaceOffsets.push_back(static_cast<vtkIdType>(this->FaceCorners.size()));
-    if (!this->Rows.EndRow())
-    {
-      return false;
-    }
-  }
-  return true;
+  this->FaceRows =
+    std::make_unique<vtkMTPlyFaces>(element, element.Count, this->VertexCount, this->Output->GetCellData());
+  return this->FaceRows->Read(this->Rows, this->Faces);
 }
 
 bool Reader::ReadStrips(const vtkMTPlyElement& element)
 {
-  const vtkMTPlyProperty* indices = FindIndices(element);
+  const vtkMTPlyProperty* indices = element.FindCorners();
   std::vector<vtkIdType> corners;
   for (std::uint64_t row = 0; row < element.Count; ++row)
   {
@@ -297,7 +106,8 @@ bool Reader::ReadStrips(const vtkMTPlyElement& element)
     }
     for (const vtkMTPlyProperty& property : element.Properties)
     {
-      if (&property == indices ? !this->ReadCorners(property, true, corners) : !this->SkipProperty(property))
+      if (&property == indices ? !this->Rows.ReadCorners(property, this->VertexCount, corners)
+                               : !this->Rows.SkipProperty(property))
       {
         return false;
       }
@@ -311,7 +121,7 @@ bool Reader::ReadStrips(const vtkMTPlyElement& element)
         {
           this->StripCorners.insert(this->StripCorners.end(), corners.begin() + static_cast<std::ptrdiff_t>(begin),
             corners.begin() + static_cast<std::ptrdiff_t>(i));
-          this->StripOffsets.push_back(static_cast<vtkIdType>(this->StripCorners.size()));
+          this->StripEnds.push_back(this->StripCorners.size());
         }
         begin = i + 1;
       }
@@ -332,7 +142,7 @@ bool Reader::ReadElement(const vtkMTPlyElement& element)
   }
   if (element.Name == "vertex")
   {
-    return this->ReadVertices(element);
+    return vtkMTPlyVertices(element, element.Count, this->Output).Read(this->Rows);
   }
   if (element.Count > 0 && element.Name == "face")
   {
@@ -345,53 +155,41 @@ bool Reader::ReadElement(const vtkMTPlyElement& element)
   return this->SkipRows(element);
 }
 
-// Bytes after the last element mean that a count is wrong; what editors append is no harm.
-bool Reader::CheckIsAtEnd(std::string& error)
+template <class Offset, class Corner>
+vtkSmartPointer<vtkCellArray> Reader::ToCells(const std::vector<Offset>& ends, const std::vector<Corner>& corners)
 {
-  const std::uint64_t left = this->Stream.GetLeft();
-  while (const unsigned char* byte = this->Stream.Take(1))
-  {
-    if (*byte != ' ' && *byte != '\t' && *byte != '\n' && *byte != '\r' && *byte != 0 && *byte != 0x1a)
-    {
-      error = "has " + std::to_string(left) + " bytes after the last element that its header announces";
-      return false;
-    }
-  }
-  return true;
-}
-
-vtkSmartPointer<vtkCellArray> Reader::ToCells(
-  const std::vector<vtkIdType>& offsets, const std::vector<vtkIdType>& corners)
-{
-  const auto copy = [](const std::vector<vtkIdType>& values)
-  {
-    auto array = vtkSmartPointer<vtkIdTypeArray>::New();
-    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
-  };
+  const vtkNew<vtkIdTypeArray> offsets;
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(ends.size() + 1));
+  offsets->SetValue(0, 0);
+  std::copy(ends.begin(), ends.end(), offsets->GetPointer(1));
+  const vtkNew<vtkIdTypeArray> points;
+  points->SetNumberOfValues(static_cast<vtkIdType>(corners.size()));
+  std::copy(corners.begin(), corners.end(), points->GetPointer(0));
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(copy(offsets), copy(corners));
+  cells->SetData(offsets, points);
   return cells;
 }
 
 // The texture coordinates of corners become those of points.
 void Reader::SplitWedges()
 {
-  std::vector<vtkMTWedgeSplitter::Key> keys(this->FaceCorners.size());
+  const std::vector<double>& coordinates = this->FaceRows->GetTextureCoordinates();
+  std::vector<vtkIdType> corners(this->Faces.Points.begin(), this->Faces.Points.end());
+  std::vector<vtkMTWedgeSplitter::Key> keys(corners.size());
   if (!keys.empty())
   {
-    std::memcpy(keys.data(), this->TextureCoordinates.data(), keys.size() * sizeof(keys[0]));
+    std::memcpy(keys.data(), coordinates.data(), keys.size() * sizeof(keys[0]));
   }
   const vtkMTWedgeSplitter::Result wedges =
-    vtkMTWedgeSplitter::Split(static_cast<std::size_t>(this->Output->GetNumberOfPoints()), this->FaceCorners, keys);
+    vtkMTWedgeSplitter::Split(static_cast<std::size_t>(this->Output->GetNumberOfPoints()), corners, keys);
+  this->Faces.Points.assign(corners.begin(), corners.end());
   vtkMTWedgeSplitter::AppendCopies(this->Output, wedges.Originals);
   vtkPointData* attributes = this->Output->GetPointData();
   if (vtkDataArray* earlier = attributes->GetArray("TCoords"))
   {
     earlier->SetName("VertexTCoords");
   }
-  const int type = this->TextureCoordinatesAreDouble ? VTK_DOUBLE : VTK_FLOAT;
+  const int type = this->FaceRows->GetTexture()->Type == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName("TCoords");
   array->SetNumberOfComponents(2);
@@ -400,41 +198,47 @@ void Reader::SplitWedges()
   {
     const double none[2] = { 0.0, 0.0 };
     const std::size_t corner = wedges.Corners[i];
-    array->SetTuple(static_cast<vtkIdType>(i),
-      corner == vtkMTWedgeSplitter::NoCorner ? none : this->TextureCoordinates.data() + 2 * corner);
+    array->SetTuple(
+      static_cast<vtkIdType>(i), corner == vtkMTWedgeSplitter::NoCorner ? none : coordinates.data() + 2 * corner);
   }
   attributes->SetTCoords(array);
 }
 
+// Behind the faces; the values of their cells are 0.
+void Reader::AddStrips()
+{
+  const vtkIdType faces = this->Output->GetNumberOfPolys();
+  this->Output->SetStrips(ToCells(this->StripEnds, this->StripCorners));
+  vtkCellData* attributes = this->Output->GetCellData();
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = attributes->GetArray(i);
+    const vtkIdType first = faces * array->GetNumberOfComponents();
+    array->Resize(faces + this->Output->GetNumberOfStrips());
+    array->SetNumberOfTuples(faces + this->Output->GetNumberOfStrips());
+    unsigned char* values = static_cast<unsigned char*>(array->GetVoidPointer(0));
+    std::memset(values + first * array->GetDataTypeSize(), 0,
+      static_cast<std::size_t>((array->GetNumberOfValues() - first) * array->GetDataTypeSize()));
+  }
+}
+
 void Reader::Finish()
 {
-  if (this->HasTextureCoordinates)
+  if (this->FaceRows && this->FaceRows->GetTexture())
   {
     this->SplitWedges();
   }
-  this->Output->SetPolys(ToCells(this->FaceOffsets, this->FaceCorners));
+  this->Output->SetPolys(ToCells(this->Faces.Ends, this->Faces.Points));
   vtkMTFieldNames::Add(this->Output, "TextureFiles", this->Header.TextureFiles);
-  const vtkIdType faces = this->Output->GetNumberOfPolys();
-  if (this->StripOffsets.size() > 1)
+  if (!this->StripEnds.empty())
   {
-    this->Output->SetStrips(ToCells(this->StripOffsets, this->StripCorners));
-    vtkCellData* attributes = this->Output->GetCellData();
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = attributes->GetArray(i);
-      const vtkIdType first = faces * array->GetNumberOfComponents();
-      array->Resize(faces + this->Output->GetNumberOfStrips());
-      array->SetNumberOfTuples(faces + this->Output->GetNumberOfStrips());
-      unsigned char* values = static_cast<unsigned char*>(array->GetVoidPointer(0));
-      std::memset(values + first * array->GetDataTypeSize(), 0,
-        static_cast<std::size_t>((array->GetNumberOfValues() - first) * array->GetDataTypeSize()));
-    }
+    this->AddStrips();
   }
 }
 
 bool Reader::Read(std::string& error)
 {
-  if (!this->Header.Parse(this->Stream, error) || !this->CheckHeader(error))
+  if (!this->Header.Parse(this->Stream, error) || !this->Header.CheckIsMesh(error))
   {
     return false;
   }
@@ -447,7 +251,7 @@ bool Reader::Read(std::string& error)
       return false;
     }
   }
-  if (!this->CheckIsAtEnd(error))
+  if (!this->Rows.CheckIsAtEnd(error))
   {
     return false;
   }

@@ -4,6 +4,7 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -101,7 +102,7 @@ bool vtkMTPlyRows::BeginElement(const vtkMTPlyElement& element)
   if (smallest > 0 && element.Count > left / smallest)
   {
     return this->Fail("the header announces " + std::to_string(element.Count) + " rows, for which the " +
-      std::to_string(this->Stream.GetLeft()) + " bytes that are left do not suffice; the file is cut off");
+      std::to_string(this->Stream.GetLeft()) + " bytes that are left do not suffice; the file is truncated");
   }
   return true;
 }
@@ -208,6 +209,82 @@ bool vtkMTPlyRows::SkipItems(const vtkMTPlyProperty& property, std::uint64_t cou
   {
     if (!this->ReadText(VTK_DOUBLE, property.Name, value))
     {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkMTPlyRows::SkipProperty(const vtkMTPlyProperty& property)
+{
+  double value;
+  std::uint64_t count = 0;
+  return property.IsList() ? this->ReadCount(property, count) && this->SkipItems(property, count)
+                           : this->Read(property, value);
+}
+
+bool vtkMTPlyRows::SkipRows(std::uint64_t count)
+{
+  if (this->Header.Format != vtkMTPlyHeader::Ascii)
+  {
+    this->Row += count;
+    return this->Stream.Skip(count * this->Header.GetSmallestRow(*this->Element)) ||
+      this->Fail("the file ends before it");
+  }
+  bool good = true;
+  for (std::uint64_t row = 0; good && row < count; ++row)
+  {
+    good = this->BeginRow();
+  }
+  return good;
+}
+
+namespace
+{
+std::uint64_t Load32(const unsigned char* bytes)
+{
+  return std::uint64_t(bytes[0]) | std::uint64_t(bytes[1]) << 8 | std::uint64_t(bytes[2]) << 16 |
+    std::uint64_t(bytes[3]) << 24;
+}
+}
+
+std::uint64_t vtkMTPlyRows::TakeTriangles(
+  const vtkMTPlyProperty& list, std::uint64_t most, std::uint64_t vertices, std::vector<std::uint64_t>& corners)
+{
+  if (this->Header.Format != vtkMTPlyHeader::LittleEndian || vtkMTPlyHeader::GetSize(list.CountType) != 1 ||
+    vtkMTPlyHeader::GetSize(list.Type) != 4)
+  {
+    return 0;
+  }
+  constexpr std::size_t rowSize = 13;
+  const std::uint64_t range = std::uint64_t(1) << (list.Type == VTK_INT ? 31 : 32);
+  const std::uint64_t end = std::min(vertices, range);
+  const auto [bytes, size] = this->Stream.GetBuffered();
+  const std::uint64_t rows = std::min<std::uint64_t>(most, size / rowSize);
+  std::uint64_t taken = 0;
+  for (; taken < rows; ++taken)
+  {
+    const unsigned char* row = bytes + rowSize * taken;
+    const std::array<std::uint64_t, 3> points{ Load32(row + 1), Load32(row + 5), Load32(row + 9) };
+    if (row[0] != 3 || points[0] >= end || points[1] >= end || points[2] >= end)
+    {
+      break;
+    }
+    corners.insert(corners.end(), points.begin(), points.end());
+  }
+  this->Stream.Skip(rowSize * taken);
+  this->Row += taken;
+  return taken;
+}
+
+bool vtkMTPlyRows::CheckIsAtEnd(std::string& error)
+{
+  const std::uint64_t left = this->Stream.GetLeft();
+  while (const unsigned char* byte = this->Stream.Take(1))
+  {
+    if (*byte != ' ' && *byte != '\t' && *byte != '\n' && *byte != '\r' && *byte != 0 && *byte != 0x1a)
+    {
+      error = "has " + std::to_string(left) + " bytes after the last element that its header announces";
       return false;
     }
   }

@@ -6,7 +6,10 @@
 #include "vtkMTPlyHeader.h"
 #include "vtkMTTextFormat.h"
 
+#include <cstdint>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 class vtkMTPlyRows
 {
@@ -23,14 +26,31 @@ public:
   }
   /// The count of a list, when its items can be there.
   bool ReadCount(const vtkMTPlyProperty& property, std::uint64_t& count);
-  bool SkipItems(const vtkMTPlyProperty& property, std::uint64_t count);
+  /// Appends a list of vertices, of which there are so many. Number: std::uint64_t, or a signed one for lists that may
+  /// have -1 between strips.
+  template <class Number>
+  bool ReadCorners(const vtkMTPlyProperty& property, std::uint64_t vertices, std::vector<Number>& corners);
+  bool SkipProperty(const vtkMTPlyProperty& property);
   bool EndRow();
+
+  /// Steps over rows of an element without lists; their values are not looked at.
+  bool SkipRows(std::uint64_t count);
+  /**
+   * What most files consist of, taken at once as far as it is in memory: rows of one list of three corners, with their
+   * number in one byte and four bytes for each, little-endian. Gives how many were taken; any other row is left.
+   */
+  std::uint64_t TakeTriangles(
+    const vtkMTPlyProperty& list, std::uint64_t most, std::uint64_t vertices, std::vector<std::uint64_t>& corners);
+
+  /// Bytes after the last element mean that a count is wrong; what editors append is no harm.
+  bool CheckIsAtEnd(std::string& error);
 
   /// Puts element, row and byte before the reason; for the caller's own findings too. Gives false.
   bool Fail(const std::string& reason);
   const std::string& GetError() const { return this->Error; }
 
 private:
+  bool SkipItems(const vtkMTPlyProperty& property, std::uint64_t count);
   bool ReadNumber(int type, const std::string& name, double& value);
   bool ReadText(int type, const std::string& name, double& value);
   bool ReadBinary(int type, const std::string& name, double& value);
@@ -43,5 +63,31 @@ private:
   std::string_view Line; // what is left of a row of text
   std::string Error;
 };
+
+template <class Number>
+bool vtkMTPlyRows::ReadCorners(const vtkMTPlyProperty& property, std::uint64_t vertices, std::vector<Number>& corners)
+{
+  std::uint64_t count = 0;
+  if (!this->ReadCount(property, count))
+  {
+    return false;
+  }
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    double value = 0.0;
+    if (!this->Read(property, value))
+    {
+      return false;
+    }
+    const bool isSeparator = std::is_signed_v<Number> && value == -1.0;
+    if (!isSeparator && !(value >= 0.0 && value < static_cast<double>(vertices)))
+    {
+      return this->Fail("vertex " + std::to_string(static_cast<std::int64_t>(value)) + " does not exist; there are " +
+        std::to_string(vertices));
+    }
+    corners.push_back(static_cast<Number>(value));
+  }
+  return true;
+}
 
 #endif

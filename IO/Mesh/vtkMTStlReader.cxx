@@ -52,7 +52,7 @@ bool ReadBinary(vtkMTTextFormat::Stream& stream, std::uint32_t count, vtkPolyDat
   if (whole != count)
   {
     error = "its header announces " + std::to_string(count) + " triangles, but there are " + std::to_string(whole) +
-      (whole < count ? ": it is cut off, or no STL file" : "");
+      (whole < count ? ": it is truncated, or no STL file" : "");
     return false;
   }
   vtkNew<vtkFloatArray> coordinates;
@@ -64,7 +64,7 @@ bool ReadBinary(vtkMTTextFormat::Stream& stream, std::uint32_t count, vtkPolyDat
     const unsigned char* record = stream.Take(RecordSize);
     if (!record)
     {
-      error = stream.GetError().empty() ? "is cut off" : stream.GetError();
+      error = stream.GetError().empty() ? "is truncated" : stream.GetError();
       return false;
     }
     std::memcpy(to, record + 12, 36); // after the normal

@@ -4,10 +4,10 @@
  * @brief reads a mesh from STL, safely
  *
  * A file is binary when its size is the one that its triangle count asks for, or when it does not begin with "solid";
- * else it is text. (Many binary files begin with "solid" too.) A binary file that is cut off, or has whole records more
- * than it announces, is refused, and so is a text that ends before "endsolid". Every triangle gets three points of its
- * own, as the file has them: what belongs together is for the builder to find out. Normals and attribute bytes are left
- * out: they follow from the points, or mean something different in every program.
+ * else it is text. (Many binary files begin with "solid" too.) A binary file that is truncated, or has whole records
+ * more than it announces, is refused, and so is a text that ends before "endsolid". Every triangle gets three points of
+ * its own, as the file has them: what belongs together is for the builder to find out. Normals and attribute bytes are
+ * left out: they follow from the points, or mean something different in every program.
  */
 #ifndef vtkMTStlReader_h
 #define vtkMTStlReader_h

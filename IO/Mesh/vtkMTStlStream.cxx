@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTStlStream.h"
 
+#include "vtkMTChunkStream.h"
 #include "vtkMTFileByteSource.h"
-#include "vtkMTPieceStream.h"
 #include "vtkMTStlText.h"
 
 #include "vtkFloatArray.h"
@@ -19,7 +19,7 @@ constexpr std::uint64_t HeadSize = 84; // a text of 80 bytes and the number of t
 constexpr std::uint64_t RecordSize = 50;
 
 // Each triangle has three points of its own, and nothing else.
-class Stream : public vtkMTPieceStream
+class Stream : public vtkMTChunkStream
 {
 public:
   explicit Stream(std::unique_ptr<vtkMTFileByteSource> bytes)
@@ -46,7 +46,7 @@ protected:
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData*, CellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData*, vtkMTCellCorners& corners) override
   {
     for (std::uint64_t t = 0; t < count; ++t)
     {
@@ -59,7 +59,7 @@ protected:
     return true;
   }
 
-  static void Fill(const float* values, std::uint64_t count, vtkPolyData* piece)
+  static void Fill(const float* values, std::uint64_t count, vtkPolyData* chunk)
   {
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetNumberOfComponents(3);
@@ -67,7 +67,7 @@ protected:
     std::copy_n(values, 3 * count, coordinates->GetPointer(0));
     vtkNew<vtkPoints> points;
     points->SetData(coordinates);
-    piece->SetPoints(points);
+    chunk->SetPoints(points);
   }
 
   std::unique_ptr<vtkMTFileByteSource> Bytes;
@@ -102,10 +102,10 @@ private:
     return Stream::RewindFile();
   }
 
-  bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
+  bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) override
   {
     // Triangles are not cut.
-    static_assert(PieceSize % 3 == 0, "a piece of points is one of triangles");
+    static_assert(ChunkSize % 3 == 0, "a chunk of points is one of triangles");
     std::vector<unsigned char> records(static_cast<std::size_t>(count / 3 * RecordSize));
     if (!this->Bytes->Read(HeadSize + this->NextTriangle * RecordSize, records.size(), records.data(), this->Error))
     {
@@ -117,7 +117,7 @@ private:
     {
       std::memcpy(values.data() + 9 * t, records.data() + t * RecordSize + 12, 36); // after the normal
     }
-    Fill(values.data(), count, piece);
+    Fill(values.data(), count, chunk);
     return true;
   }
 
@@ -139,7 +139,7 @@ public:
     do
     {
       values.clear();
-      if (!this->Text->Read(static_cast<std::size_t>(PieceSize), values))
+      if (!this->Text->Read(static_cast<std::size_t>(ChunkSize), values))
       {
         return false;
       }
@@ -156,7 +156,7 @@ private:
     return Stream::RewindFile();
   }
 
-  bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
+  bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) override
   {
     std::vector<float> values;
     if (!this->Text->Read(static_cast<std::size_t>(count), values) || values.size() != 3 * count)
@@ -164,7 +164,7 @@ private:
       return this->Fail(this->Bytes->GetName() + ": " +
         (this->Text->GetError().empty() ? "ends before its triangles: it has changed" : this->Text->GetError()));
     }
-    Fill(values.data(), count, piece);
+    Fill(values.data(), count, chunk);
     return true;
   }
 

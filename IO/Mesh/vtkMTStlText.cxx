@@ -15,7 +15,7 @@ bool vtkMTStlText::Read(std::size_t vertices, std::vector<float>& coordinates)
     if (!this->Stream.TakeLine(line))
     {
       return (this->Stream.GetError().empty() || this->Fail(this->Stream.GetError())) &&
-        (!this->IsInSolid || this->Fail("ends before \"endsolid\": it is cut off"));
+        (!this->IsInSolid || this->Fail("ends before \"endsolid\": it is truncated"));
     }
     ++this->LineNumber;
     if (!this->ReadLine(line, coordinates))

@@ -11,7 +11,7 @@
  * own bytes (TGA, which has no mark, by its ending).
  *
  * Only files in the folder of the mesh or below it are opened: of a name that leads elsewhere (an absolute one, or one
- * with "..") the last component alone is looked for, beside the mesh. A texture that cannot be had is no error of the
+ * with "..") the last component alone is looked for, beside the mesh. A texture that cannot be read is no error of the
  * mesh; it is named, with the reason, among the problems.
  */
 #ifndef vtkMTTextureCollector_h

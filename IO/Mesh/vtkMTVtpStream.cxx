@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTVtpStream.h"
 
-#include "vtkMTPieceStream.h"
+#include "vtkMTChunkStream.h"
 #include "vtkMTXmlArrays.h"
 
 #include "vtkAbstractArray.h"
@@ -82,11 +82,11 @@ private:
 };
 
 //------------------------------------------------------------------------------
-class Stream : public vtkMTPieceStream
+class Stream : public vtkMTChunkStream
 {
 public:
   Stream(vtkMTSpoolStore* store, std::size_t memory)
-    : vtkMTPieceStream(store, memory)
+    : vtkMTChunkStream(store, memory)
   {
   }
 
@@ -98,7 +98,7 @@ public:
     }
     vtkNew<vtkPolyData> points;
     vtkNew<vtkPolyData> cells;
-    CellCorners corners;
+    vtkMTCellCorners corners;
     const bool isRead =
       this->HasLastPoint() && this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners);
     this->Arrays = GetArraysOf(points, cells);
@@ -181,11 +181,11 @@ private:
   bool LookAtPolygons()
   {
     this->RewindFile();
-    CellCorners corners;
-    for (std::uint64_t read = 0; read < this->Polygons; read += PieceSize)
+    vtkMTCellCorners corners;
+    for (std::uint64_t read = 0; read < this->Polygons; read += ChunkSize)
     {
-      corners = CellCorners();
-      if (!this->ReadPolygons(std::min(PieceSize, this->Polygons - read), corners))
+      corners = vtkMTCellCorners();
+      if (!this->ReadPolygons(std::min(ChunkSize, this->Polygons - read), corners))
       {
         return false;
       }
@@ -215,7 +215,7 @@ private:
     return true;
   }
 
-  bool ReadPolygons(std::uint64_t count, CellCorners& corners)
+  bool ReadPolygons(std::uint64_t count, vtkMTCellCorners& corners)
   {
     vtkNew<vtkIdTypeArray> ends;
     vtkNew<vtkIdTypeArray> points;
@@ -227,7 +227,7 @@ private:
     for (vtkIdType i = 0; i < ends->GetNumberOfTuples(); ++i)
     {
       const auto end = static_cast<std::uint64_t>(ends->GetValue(i));
-      // A damaged offset must not ask for more memory than any sound piece.
+      // A damaged offset must not ask for more memory than any sound chunk.
       if (end < last || end - this->NextCorner > MostCorners)
       {
         return this->Fail("its cells are impossible");
@@ -255,31 +255,31 @@ private:
     return true;
   }
 
-  bool ReadPoints(std::uint64_t count, vtkPolyData* piece) override
+  bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) override
   {
     const auto made = vtkMTXmlArrays::MakeArray(this->Places);
     vtkDataArray* places = vtkDataArray::SafeDownCast(made);
     if (!this->File.Read(this->Places, this->NextPoint, count, places, this->Error) ||
-      !this->OfPoints.Read(this->File, this->NextPoint, count, piece->GetPointData(), this->Error))
+      !this->OfPoints.Read(this->File, this->NextPoint, count, chunk->GetPointData(), this->Error))
     {
       return false;
     }
     vtkNew<vtkPoints> points;
     points->SetData(places);
-    piece->SetPoints(points);
+    chunk->SetPoints(points);
     this->NextPoint += count;
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* chunk, vtkMTCellCorners& corners) override
   {
     // The values of vertices and lines come first.
     return this->OfCells.Read(
-             this->File, this->FirstCell + this->NextPolygon, count, piece->GetCellData(), this->Error) &&
+             this->File, this->FirstCell + this->NextPolygon, count, chunk->GetCellData(), this->Error) &&
       this->ReadPolygons(count, corners);
   }
 
-  static constexpr std::uint64_t MostCorners = std::uint64_t(1) << 23; // in a piece
+  static constexpr std::uint64_t MostCorners = std::uint64_t(1) << 23; // in a chunk
 
   vtkMTXmlArrays File;
   vtkXMLDataElement* Places = nullptr;

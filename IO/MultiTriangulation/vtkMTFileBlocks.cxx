@@ -55,8 +55,8 @@ bool CheckVersion(const std::vector<unsigned char>& head, std::string& error)
   }
   else if (version < Version)
   {
-    error = "it is of version " + number + " of the format, which is not read any more; make it again from its mesh: " +
-      "bmt build MESH -o MODEL.bmt";
+    error = "it is of version " + number +
+      " of the format, which is not read any more; make it again from its mesh: " + "bmt build MESH -o MODEL.bmt";
   }
   return error.empty();
 }
@@ -219,8 +219,7 @@ void vtkMTFileBlocks::Seal(std::uint64_t fileSize, std::vector<unsigned char>& b
     std::memcpy(to, &checksum, sizeof(checksum));
     to += sizeof(checksum);
   }
-  h.PageChecksum =
-    vtkMTChecksum(bytes.data() + h.HeaderSize, static_cast<std::size_t>(h.PageOffset - h.HeaderSize));
+  h.PageChecksum = vtkMTChecksum(bytes.data() + h.HeaderSize, static_cast<std::size_t>(h.PageOffset - h.HeaderSize));
   std::memcpy(bytes.data(), &h, sizeof(h));
   std::memcpy(bytes.data() + sizeof(h), this->Table.data(), this->Table.size() * sizeof(BlockRecord));
   const std::size_t end = h.HeaderSize - sizeof(std::uint64_t);

@@ -90,8 +90,9 @@ private:
 vtkMTFileBlocks MakeTable(const vtkMTGraph& graph, const vtkMTFileDag::Contents& contents, std::uint64_t metadataSize)
 {
   vtkMTFileBlocks blocks;
-  const auto add = [&blocks](BlockType type, std::uint64_t size)
-  { blocks.Table.push_back({ type, MustBeKnown, 0, size }); };
+  const auto add = [&blocks](BlockType type, std::uint64_t size) {
+    blocks.Table.push_back({ type, MustBeKnown, 0, size });
+  };
   add(PageBlock, 0);
   add(MetadataBlock, metadataSize);
   add(NodeBlock, graph.Nodes.size() * sizeof(NodeRecord));

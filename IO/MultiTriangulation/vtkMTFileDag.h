@@ -35,8 +35,7 @@ struct Contents
 };
 
 /// The bytes of the file up to the first section. False when there are more than 2^32 - 1 sections.
-bool Encode(
-  const vtkMTGraph& graph, const Contents& contents, std::vector<unsigned char>& bytes, std::string& error);
+bool Encode(const vtkMTGraph& graph, const Contents& contents, std::vector<unsigned char>& bytes, std::string& error);
 }
 
 #endif

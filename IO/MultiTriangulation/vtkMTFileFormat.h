@@ -16,9 +16,9 @@ namespace vtkMTFileFormat
 // As PNG's: a byte with the high bit set, both kinds of line end and an end-of-file mark show damage by text transfer.
 constexpr unsigned char Magic[8] = { 0x89, 'B', 'M', 'T', '\r', '\n', 0x1a, '\n' };
 constexpr std::uint32_t Version = 6;
-constexpr std::uint64_t Alignment = 16;       // of every block and section; the gaps are zero and under a checksum
-constexpr std::uint64_t SectionStart = 4096;  // the sections begin at a multiple of it
-constexpr std::uint64_t PageSize = 65536;     // the blocks are under a checksum for each page of so many bytes
+constexpr std::uint64_t Alignment = 16;      // of every block and section; the gaps are zero and under a checksum
+constexpr std::uint64_t SectionStart = 4096; // the sections begin at a multiple of it
+constexpr std::uint64_t PageSize = 65536;    // the blocks are under a checksum for each page of so many bytes
 constexpr std::uint64_t HeaderSizeLimit = 65536;
 
 enum Codec : std::uint8_t

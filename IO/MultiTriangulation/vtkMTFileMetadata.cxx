@@ -119,9 +119,8 @@ public:
     std::uint32_t names = 0;
     if (!this->Get(array.Name) || !this->Get(type) || !this->Get(components) || !this->Get(attribute) ||
       !this->Get(tupleSize) || !this->Get(kinds) || !this->Get(names) || components < 1 ||
-      kinds[0] > vtkMTArrayInfo::Cell || kinds[1] > vtkMTArrayInfo::Direction ||
-      kinds[2] > vtkMTArrayInfo::Heights || kinds[3] != 0 ||
-      (names != 0 && names != static_cast<std::uint32_t>(components)))
+      kinds[0] > vtkMTArrayInfo::Cell || kinds[1] > vtkMTArrayInfo::Direction || kinds[2] > vtkMTArrayInfo::Heights ||
+      kinds[3] != 0 || (names != 0 && names != static_cast<std::uint32_t>(components)))
     {
       return false;
     }

@@ -36,9 +36,9 @@ private:
   const vtkMTByteSource& Source;
   const vtkMTFileBlocks& Blocks;
   std::vector<unsigned char> Head;
-  std::vector<unsigned char> Buffer;                          // what Fetch has brought
-  std::set<std::uint64_t> Shared;                             // pages of several blocks
-  std::map<std::uint64_t, std::vector<unsigned char>> Kept;   // of those, what has been read
+  std::vector<unsigned char> Buffer;                        // what Fetch has brought
+  std::set<std::uint64_t> Shared;                           // pages of several blocks
+  std::map<std::uint64_t, std::vector<unsigned char>> Kept; // of those, what has been read
   std::uint64_t BytesRead = 0;
 };
 

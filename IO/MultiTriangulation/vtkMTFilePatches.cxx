@@ -61,8 +61,7 @@ bool vtkMTFilePatches::Extend(Run& run, std::uint32_t arc, const std::vector<uns
       continue;
     }
     longer.Begin = longer.End == 0 ? section.Offset : longer.Begin;
-    if (longer.End != 0 &&
-      (section.Offset < longer.End || section.Offset - longer.End > vtkMTFileSource::MaximumGap))
+    if (longer.End != 0 && (section.Offset < longer.End || section.Offset - longer.End > vtkMTFileSource::MaximumGap))
     {
       return false;
     }
@@ -83,8 +82,8 @@ vtkMTColumn& vtkMTFilePatches::GetColumn(std::size_t array, vtkMTPatch& patch) c
   const auto association = arrays[array].Association;
   const auto before = std::count_if(arrays.begin(), arrays.begin() + static_cast<std::ptrdiff_t>(array),
     [association](const vtkMTArrayInfo& other) { return other.Association == association; });
-  return (association == vtkMTArrayInfo::Point ? patch.PointColumns
-                                               : patch.CellColumns)[static_cast<std::size_t>(before)];
+  return (
+    association == vtkMTArrayInfo::Point ? patch.PointColumns : patch.CellColumns)[static_cast<std::size_t>(before)];
 }
 
 //------------------------------------------------------------------------------
@@ -100,8 +99,8 @@ bool vtkMTFilePatches::DecodeSection(std::uint32_t arc, const vtkMTFileSection& 
   else if (good)
   {
     const std::size_t array = section.GetArray();
-    good = vtkMTPatchCodec::DecodeColumn(section, data, record, this->Graph.Arrays[array], ScratchOfThread::Get(),
-      this->GetColumn(array, patch), error);
+    good = vtkMTPatchCodec::DecodeColumn(
+      section, data, record, this->Graph.Arrays[array], ScratchOfThread::Get(), this->GetColumn(array, patch), error);
   }
   error = good ? error : "section of class " + std::to_string(section.Class) + " " + error;
   return good;

@@ -48,8 +48,8 @@ private:
   static bool IsWanted(const vtkMTFileSection& section, const std::vector<unsigned char>* arrays);
   bool Decode(std::uint32_t arc, const std::vector<unsigned char>* arrays, const unsigned char* bytes,
     std::uint64_t begin, vtkMTPatch& patch, std::string& error) const;
-  bool ReadSections(std::uint32_t arc, const std::vector<vtkMTFileSection>& sections, vtkMTPatch& patch,
-    std::string& error) const;
+  bool ReadSections(
+    std::uint32_t arc, const std::vector<vtkMTFileSection>& sections, vtkMTPatch& patch, std::string& error) const;
   bool DecodeSection(std::uint32_t arc, const vtkMTFileSection& section, const unsigned char* data, vtkMTPatch& patch,
     std::string& error) const;
   vtkMTColumn& GetColumn(std::size_t array, vtkMTPatch& patch) const;

@@ -188,8 +188,7 @@ struct vtkMTFileSink::Internals
   {
     std::vector<unsigned char> head;
     vtkMTFileDag::Contents contents;
-    if (!this->MakeContents(graph, patchOfArc, contents, error) ||
-      !vtkMTFileDag::Encode(graph, contents, head, error))
+    if (!this->MakeContents(graph, patchOfArc, contents, error) || !vtkMTFileDag::Encode(graph, contents, head, error))
     {
       error = this->Path + ": " + error;
       return false;

@@ -33,8 +33,8 @@ struct vtkMTFileTables
     std::uint32_t FirstSection = 0;
     std::uint32_t SectionCount = 0;
   };
-  std::vector<Place> Patches;                            // by arc
-  std::vector<std::uint64_t> Blobs;                      // offsets; their sections are the first ones
+  std::vector<Place> Patches;       // by arc
+  std::vector<std::uint64_t> Blobs; // offsets; their sections are the first ones
   std::vector<vtkMTFileFormat::SectionRecord> Sections;
 
   /// Of one patch, in their order.

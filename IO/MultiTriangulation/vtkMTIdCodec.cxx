@@ -14,7 +14,7 @@ std::uint32_t GetHigh(std::uint64_t id)
   return static_cast<std::uint32_t>(id >> 32);
 }
 
-// The high halves are few (a level and a region): each is said once, as the difference to the one before.
+// The high halves are few (a level and a region): each is encoded once, as the difference to the one before.
 std::vector<std::uint32_t> AppendHighs(const std::vector<Identity>& identities, std::vector<unsigned char>& side)
 {
   std::vector<std::uint32_t> highs;

@@ -21,7 +21,7 @@ bool IsKindKnown(vtkMTPatchKind kind, std::string& error)
   if (kind != vtkMTPatchKind::Triangles)
   {
     error = std::string("is of ") +
-      (kind == vtkMTPatchKind::Points     ? "points"
+      (kind == vtkMTPatchKind::Points      ? "points"
           : kind == vtkMTPatchKind::Voxels ? "voxels"
                                            : "a grid's samples") +
       ": there is no codec for this kind in this version; there is one for triangles";
@@ -96,7 +96,8 @@ bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vt
     vtkMTByteCodec::IsPlausible(bytes.size() - begin, packed.size());
 }
 
-// A column of no bytes has no section. An array that does not become smaller is stored as it is, and so is one without neighbours.
+// A column of no bytes has no section. An array that does not become smaller is stored as it is, and so is one without
+// neighbours.
 bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal,
   Codec codec, std::size_t sectionClass, std::vector<unsigned char>& bytes, std::vector<vtkMTFileSection>& sections)
 {
@@ -105,8 +106,8 @@ bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const 
     return true;
   }
   const std::size_t begin = bytes.size();
-  const bool isSmaller = traversal.IsKnown && PackColumn(array, column, traversal, codec, bytes) &&
-    bytes.size() - begin < column.size();
+  const bool isSmaller =
+    traversal.IsKnown && PackColumn(array, column, traversal, codec, bytes) && bytes.size() - begin < column.size();
   if (!isSmaller)
   {
     bytes.resize(begin);

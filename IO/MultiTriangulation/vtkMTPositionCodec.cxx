@@ -13,7 +13,7 @@ using vtkMTNumberCode::ToZigzag;
 using vtkMTTriangleCodec::Basis;
 using vtkMTTriangleCodec::None;
 
-// A point with a fourth coordinate that nobody asks for, so that a point is one register.
+// A point with a fourth coordinate that is not used, so that a point is one register.
 using Wide = vtkMTPositionCodec::Wide;
 
 // Rounded to a multiple of 2^shift and counted in these, as signed numbers are shifted.

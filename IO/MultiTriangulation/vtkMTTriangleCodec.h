@@ -5,8 +5,8 @@
  * Cut-border coding (Gumhold and Strasser, "Real time compression of triangle mesh connectivity", 1998) in an order
  * like Edgebreaker's (Rossignac, "Edgebreaker: connectivity compression for triangle meshes", 1999), made to take every
  * set of triangles. The front is a ring of *gates*, directed edges of triangles that are known, each asked once for the
- * triangle behind it. That is said by how its third vertex is found: it is new, it is the far end of the next gate in
- * the direction in which the front is followed, or of the one after that, or of the one before, or one that was met
+ * triangle behind it. That is encoded by how its third vertex is found: it is new, it is the far end of the next gate
+ * in the direction in which the front is followed, or of the one after that, or of the one before, or one that was met
  * earlier and is named; or there is none. Triangles are laid about one end of the gate until the next gate is joined,
  * then about its far end, and so on along the front. Two gates that run to and fro between the same vertices are done
  * with when they come to lie beside each other, so nothing has to be known of the front but the gates on both sides:
@@ -55,7 +55,7 @@ Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices);
 /// A gate that waits beside the present one, or several that are closed.
 struct Gate
 {
-  /// As bits of what decides how the next step is said.
+  /// As bits of what decides how the next step is encoded.
   enum StateType : std::uint32_t
   {
     Open = 0,

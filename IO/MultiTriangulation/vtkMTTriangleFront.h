@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What both sides of the triangle codec follow: the front, and how steps at its gates are said. Not installed.
+// What both sides of the triangle codec follow: the front, and how steps at its gates are encoded. Not installed.
 #ifndef vtkMTTriangleFront_h
 #define vtkMTTriangleFront_h
 
@@ -32,8 +32,8 @@ enum Step : unsigned char
   Impossible
 };
 
-// A step is said by so many ones and a zero. What they mean depends on what both sides of the codec know: what was done
-// last, and whether the gates ahead and behind are open. These are bits of an index, with the ones as the lowest.
+// A step is encoded by so many ones and a zero. What they mean depends on what both sides of the codec know: what was
+// done last, and whether the gates ahead and behind are open. These are bits of an index, with the ones as the lowest.
 inline constexpr unsigned TooManyOnes = 7;
 enum SituationType : std::uint32_t
 {

@@ -558,7 +558,7 @@ void AddOptions(CLI::App& app, Options& options)
   app.add_option("--csv", options.Csv, "Where to write the figures of each frame");
   app.add_option("--json", options.Output, "Where to write the summary");
   app.add_option("--strip", options.Strip, "Where to write a picture of each part of the flight, as one PNG");
-  app.add_flag("--moving", options.Moving, "Frames do not wait for patches, as while somebody moves the camera");
+  app.add_flag("--moving", options.Moving, "Frames do not wait for patches, as while a user moves the camera");
   app.add_flag(
     "--compare", options.Compare, "Compare pictures at 0.5, 1, 2 and 4 pixels of either error with the whole mesh");
 }

@@ -10,7 +10,7 @@ build). Needs a display: CMake/with-display Testing/Benchmarks/rendering.py ... 
 
   flight      the MAIN model (default: the second but last MODEL, or the only one) along a path from afar to the surface
               and back, with patches limited to --memory megabytes, at 1 pixel: once waiting for what each frame asks
-              for, once as while somebody moves the camera; then the whole mesh in a vtkPolyDataMapper and in a
+              for, once as while a user moves the camera; then the whole mesh in a vtkPolyDataMapper and in a
               vtkQuadricLODActor, which are drawn in every --stride-th frame only.
   models      one view of every MODEL: the camera of the path's frame --view (a share, 0 to 1) of the first MODEL,
               --back times as far away, moved a little from frame to frame. Ratios are of the largest to the smallest value.

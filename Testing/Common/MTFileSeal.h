@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds its way in the bytes of a Multi-Triangulation file by the tables of Documentation/file-format.md alone, and makes
-// checksums right again where bytes have been changed.
+// Finds its way in the bytes of a Multi-Triangulation file by the tables of Documentation/file-format.md alone, and
+// makes checksums right again where bytes have been changed.
 #ifndef MTFileSeal_h
 #define MTFileSeal_h
 

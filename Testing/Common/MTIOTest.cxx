@@ -109,7 +109,7 @@ bool AreEqual(const vtkMTArc& a, const vtkMTArc& b)
 {
   return a.From == b.From && a.To == b.To && a.Triangles == b.Triangles && a.Points == b.Points &&
     a.Wedges == b.Wedges && a.SharedPoints == b.SharedPoints && a.Box == b.Box && a.ConeAxis == b.ConeAxis &&
-    a.ConeCosine == b.ConeCosine && a.MeanEdgeLength == b.MeanEdgeLength;
+    a.ConeCosine == b.ConeCosine && a.MeanEdgeLength == b.MeanEdgeLength && a.Kind == b.Kind;
 }
 
 //------------------------------------------------------------------------------
@@ -122,7 +122,22 @@ void ExpectEqual(const vtkMTGraph& a, const vtkMTGraph& b)
   EXPECT_TRUE(AreAllEqual(a.Arcs, b.Arcs));
   EXPECT_EQ(a.Entering, b.Entering);
   EXPECT_TRUE(a.Arrays == b.Arrays);
+  EXPECT_EQ(a.Refinement, b.Refinement);
+  EXPECT_EQ(a.ArrayRanges, b.ArrayRanges);
+  EXPECT_EQ(a.Frame, b.Frame);
+  EXPECT_EQ(a.Crs, b.Crs);
+  EXPECT_EQ(a.Units, b.Units);
+  ASSERT_EQ(a.Measures.size(), b.Measures.size());
+  for (std::size_t i = 0; i < a.Measures.size(); ++i)
+  {
+    EXPECT_EQ(a.Measures[i].Name, b.Measures[i].Name);
+    EXPECT_EQ(a.Measures[i].Values, b.Measures[i].Values);
+  }
   EXPECT_EQ(a.InputCounts.Triangles, b.InputCounts.Triangles);
+  EXPECT_EQ(a.InputCounts.Points, b.InputCounts.Points);
+  EXPECT_EQ(a.InputCounts.Samples, b.InputCounts.Samples);
+  EXPECT_EQ(a.InputCounts.Cells, b.InputCounts.Cells);
+  EXPECT_TRUE(a.GetFigures() == b.GetFigures());
   EXPECT_EQ(a.Settings, b.Settings);
   EXPECT_EQ(a.InputReport, b.InputReport);
   EXPECT_EQ(a.Blocked, b.Blocked);

@@ -84,11 +84,11 @@ Result Orient(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& regions,
   vtkMTMemorySpoolStore store;
   vtkMTOrientation orientation(store, std::size_t(1) << 20);
   std::vector<vtkMTOrientation::Fragment> fragments(count);
-  std::vector<std::vector<std::uint32_t>> pieces(count);
+  std::vector<std::vector<std::uint32_t>> components(count);
   for (std::uint32_t f = 0; f < count; ++f)
   {
     fragments[f].Run(vtkMTPatchSplitter::Extract(mesh, triangles[f], isShared, ids, {}, {}, scratch), triangles[f]);
-    EXPECT_TRUE(orientation.Add(fragments[f], pieces[f]));
+    EXPECT_TRUE(orientation.Add(fragments[f], components[f]));
   }
   EXPECT_TRUE(orientation.Solve()) << orientation.GetError();
   Result result;
@@ -96,7 +96,7 @@ Result Orient(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& regions,
   {
     for (std::size_t i = 0; i < triangles[f].size(); ++i)
     {
-      if (orientation.IsReversed(pieces[f][fragments[f].PieceOf[i]], fragments[f].IsTurned[i] != 0))
+      if (orientation.IsReversed(components[f][fragments[f].ComponentOf[i]], fragments[f].IsTurned[i] != 0))
       {
         result.Reversed.push_back(triangles[f][i]);
       }

@@ -69,7 +69,7 @@ std::multiset<std::vector<double>> Describe(const vtkMTPatch& mesh)
 }
 }
 
-TEST(PatchSplitter, AssemblingThePiecesGivesTheFragmentBack)
+TEST(PatchSplitter, AssemblingThePartsGivesTheFragmentBack)
 {
   std::vector<vtkMTArrayInfo> arrays;
   const vtkMTPatch strip = MakeStrip(40, arrays);
@@ -84,13 +84,13 @@ TEST(PatchSplitter, AssemblingThePiecesGivesTheFragmentBack)
     const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, regions, 3, 17);
     vtkMTAssembler assembler(arrays);
     std::size_t triangles = 0;
-    for (const auto& piece : split.Parts)
+    for (const auto& part : split.Parts)
     {
-      EXPECT_TRUE(vtkMTValidate::Mesh(piece.Patch, arrays).IsValid());
-      EXPECT_EQ(piece.Patch.Triangles.size(),
-        static_cast<std::size_t>(std::count(regions.begin(), regions.end(), piece.Region)));
-      triangles += piece.Patch.Triangles.size();
-      ASSERT_TRUE(assembler.Add(piece.Patch)) << assembler.GetError();
+      EXPECT_TRUE(vtkMTValidate::Mesh(part.Patch, arrays).IsValid());
+      EXPECT_EQ(part.Patch.Triangles.size(),
+        static_cast<std::size_t>(std::count(regions.begin(), regions.end(), part.Region)));
+      triangles += part.Patch.Triangles.size();
+      ASSERT_TRUE(assembler.Add(part.Patch)) << assembler.GetError();
     }
     const vtkMTPatch mesh = assembler.TakeMesh();
     EXPECT_EQ(triangles, strip.Triangles.size());

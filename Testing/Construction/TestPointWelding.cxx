@@ -77,7 +77,7 @@ Result StitchBlocks(
     const std::uint32_t root = stitch.FindRoot(p);
     result.Root.push_back(root == vtkMTPointWelding::None ? p : root);
   }
-  result.StitchedEdges = stitch.GetStitchedEdges();
+  result.StitchedEdges = stitch.GetNumberOfStitchedEdges();
   result.StitchedPoints = stitch.GetNumberOfWeldedPoints();
   return result;
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds the language of comments, documents and messages to the terms of the field, and Markdown to 120 columns.
+"""Holds the language of comments, documents and messages to the terms of the field, Markdown to 120 columns, and its
+links to files that are there.
 
 usage: check_language.py SOURCE_DIRECTORY [--all]
 
@@ -20,7 +21,8 @@ import wrap_markdown
 WORDS = (
     (r"\bsaid\b", "encoded, stored, given, reported"),
     (r"\bto be had\b", "available"),
-    (r"\bnobody (asks|asked) for\b", "not requested"),
+    (r"\b(nobody|somebody)\b", "the thread, caller or user that is meant; not requested, not used"),
+    (r"\b(speak|speaks|speaking) of\b", "refer to, hold for, are those of"),
     (r"\bin hand\b", "in work, being processed"),
     (r"\bat hand\b", "in memory, resident"),
     (r"\b(put|puts|putting)\b[^.;:|]{0,50}\btogether\b", "assemble"),
@@ -69,7 +71,7 @@ CPP = (".h", ".hxx", ".cxx", ".cpp", ".glsl", ".in")
 HASH = (".py", ".cmake", ".txt", ".module", ".yml", ".bash", "")
 CPP_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
 HASH_TEXT = re.compile(r'"""(?:.|\n)*?"""|#[^\n]*|"(?:\\.|[^"\\\n])*"')
-CODE = re.compile(r"^```.*?^```|^(?:    [^\n]*\n)+", re.MULTILINE | re.DOTALL)
+CODE = re.compile(r"^```.*?^```|^(?:    [^\n]*\n)+|`[^`\n]*`", re.MULTILINE | re.DOTALL)
 
 LINE_END = re.compile(r"\n(?:[ \t]*(?://+!?<?|\*|#)[ \t]+|[ \t]*)")
 
@@ -119,6 +121,14 @@ def check_file(name, content):
     return sorted(hits)
 
 
+def find_dead_links(root, name, content):
+    """(line, link) for every link of a document to a file that is not there."""
+    text = CODE.sub(blank, content)
+    for match in re.finditer(r"\]\(([^)#\s]+)(#[^)]*)?\)", text):
+        if not re.match(r"[a-z]+:", match.group(1)) and not (root / name).parent.joinpath(match.group(1)).exists():
+            yield 1 + text.count("\n", 0, match.start()), match.group(1)
+
+
 def list_files(root):
     """The tracked files; of a release archive, all files outside build folders."""
     try:
@@ -141,6 +151,8 @@ def check(root, everything=False):
         except UnicodeDecodeError:
             continue
         files += 1
+        for line, link in find_dead_links(root, name, content) if name.endswith(".md") else ():
+            violations.append(f"{name}:{line}: there is no {link}")
         for line, words, instead in check_file(name, content):
             violations.append(f"{name}:{line}: \"{' '.join(words.split())}\"; write: {instead}")
             by_folder["/".join(name.split("/")[:2]) if is_later else name.split("/", 1)[0]] += 1

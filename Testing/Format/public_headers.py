@@ -34,9 +34,8 @@ def find(root):
                 elif kind in ("CLASSES", "NOWRAP_CLASSES"):
                     headers += [module.parent / f"{name}.h" for name in get_names([word], variables)]
                 elif kind == "HEADERS":
-                    made = '"${CMAKE_CURRENT_BINARY_DIR}/'
-                    headers += [module.parent / name.removeprefix(made).strip('"') for name in get_names([word], variables)]
-    # CMake makes some of what ends with .in.
+                    # CMake makes some in the build folder, of what ends with .in.
+                    headers += [module.parent / Path(name.strip('"')).name for name in get_names([word], variables)]
     return [header if header.exists() else header.with_name(header.name + ".in") for header in headers]
 
 

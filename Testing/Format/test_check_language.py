@@ -15,7 +15,8 @@ class PlantedWords(unittest.TestCase):
 
     def test_each_pattern_finds_its_word(self):
         planted = (
-            "what is said in a byte", "no disk to be had", "values that nobody asks for", "the patch in hand",
+            "what is said in a byte", "no disk to be had", "values that nobody asks for",
+            "triangles speak of points", "the patch in hand",
             "patches at hand", "it puts the fragments together", "parts that hang together", "the classes of floor 0",
             "before cutting it", "the file is cut here", "cut along a curve", "it cuts the mesh", "programs read, cut and draw",
             "a side stream", "in stream order", "a piece of the file", "the same count, give or take one", "it goes on for ever",
@@ -56,6 +57,7 @@ class PlantedWords(unittest.TestCase):
         self.assertEqual(wrap_markdown.find_long_lines(wrapped), [])
         self.assertEqual(wrapped.split(), text.split())
         self.assertEqual(wrap_markdown.wrap(wrapped), wrapped)
+        self.assertIn("\n`bmt info model.bmt`", wrap_markdown.wrap("x" * 110 + " `bmt info\nmodel.bmt` and more\n"))
 
     def test_the_command_fails_on_a_hit_and_on_an_empty_tree(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -64,6 +66,13 @@ class PlantedWords(unittest.TestCase):
             self.assertEqual(check_language.main([folder]), 0)
             (Path(folder) / "README.md").write_text("As said.\n", encoding="utf-8")
             self.assertEqual(check_language.main([folder]), 1)
+
+    def test_dead_links_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            (root / "README.md").write_text(
+                "[this](README.md#top) [that](https://example.org/x) `[code](x.md)`\n\n[gone](gone.md)\n", encoding="utf-8")
+            self.assertEqual(check_language.check(root)[0], ["README.md:3: there is no gone.md"])
 
     def test_folders_for_later_are_looked_at_on_demand(self):
         with tempfile.TemporaryDirectory() as folder:

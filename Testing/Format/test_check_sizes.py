@@ -19,7 +19,7 @@ class PlantedSizes(unittest.TestCase):
         self.root = Path(self.folder.name)
         self.write("Module/vtk.module", "NAME\n  MultiTriangulation::MTCore\n")
         self.write("Module/CMakeLists.txt",
-            "set(classes\n  vtkMTOne)\nset(headers vtkMTTwo.h)\n"
+            "set(classes\n  vtkMTOne)\nset(headers \"${CMAKE_CURRENT_BINARY_DIR}/vtkMTTwo.h\")\n"
             "vtk_module_add_module(X\n  CLASSES ${classes}\n  HEADERS ${headers}\n  PRIVATE_HEADERS vtkMTThree.h)\n")
         self.write("Module/vtkMTOne.cxx", make_function("void vtkMTOne::Run()", 60))
         self.write("Applications/bmt.cxx", make_function("int main(int argc, char* argv[])", 20))

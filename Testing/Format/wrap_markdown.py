@@ -17,6 +17,9 @@ ITEM = re.compile(r"^( *)([-*+]|\d+\.) +")
 FIXED = re.compile(r"^ *(\||#|>|<|!\[|\[[^\]]+\]:)")
 # What a line of a paragraph must not begin with, or it would be something else.
 SPECIAL = re.compile(r"^ *([-*+] |\d+\. |#|>|\||=+$|-+$)")
+# Short code keeps together, by blanks that are no blanks while lines are filled.
+CODE_SPAN = re.compile(r"`[^`]{1,80}`")
+KEPT = "\0"
 
 
 def split_blocks(text):
@@ -53,11 +56,12 @@ def fill(lines):
     item = ITEM.match(lines[0])
     first = item.group(0) if item else re.match(r" *", lines[0]).group(0)
     words = " ".join([lines[0][len(first):]] + [line.strip() for line in lines[1:]])
+    words = CODE_SPAN.sub(lambda match: match.group(0).replace(" ", KEPT), words)
     for width in range(WIDTH, WIDTH - 40, -1):
         filled = textwrap.wrap(words, width, initial_indent=first, subsequent_indent=" " * len(first),
             break_long_words=False, break_on_hyphens=False)
         if not any(SPECIAL.match(line) for line in filled[1:]):
-            return filled
+            return [line.replace(KEPT, " ") for line in filled]
     return lines
 
 

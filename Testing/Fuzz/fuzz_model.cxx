@@ -44,7 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   // By the first pages, a page at a time: the known part must be sound at any time.
   vtkMTFileSource first;
-  if (first.OpenFirstPages(std::make_shared<vtkMTMemoryByteSource>(std::vector<unsigned char>(data, data + size)), error))
+  if (first.OpenFirstPages(
+        std::make_shared<vtkMTMemoryByteSource>(std::vector<unsigned char>(data, data + size)), error))
   {
     do
     {

@@ -34,7 +34,15 @@ std::shared_ptr<vtkMTPatchStore> MakeSmallModel()
 // All that a graph can hold, with bytes that are no UTF-8 and empty strings.
 void FillMetadata(vtkMTGraph& graph)
 {
-  graph.InputCounts.Triangles = 12345678901ull;
+  graph.InputCounts = { 12345678901ull, 2, std::uint64_t(1) << 40, 4 };
+  graph.Measures = { { "value of height", std::vector<double>(graph.Nodes.size(), 0.25) }, { "", {} } };
+  for (std::size_t node = 0; node < graph.Nodes.size(); ++node)
+  {
+    graph.Measures[1].Values.push_back(static_cast<double>(graph.Nodes.size() - node));
+  }
+  graph.Frame.emplace().fill(0.5);
+  graph.Crs = "EPSG:2056";
+  graph.Units = "m";
   graph.FullySharedBorders = 3;
   graph.Settings = { { "partition", "v" }, { "", "empty key" },
     { "latin-1",
@@ -391,6 +399,19 @@ TEST(File, NewerVersionIsRefusedWithAMessageThatSaysSo)
   std::cout << message << "\n";
   bytes[8] = 0;
   EXPECT_NE(ReadAll(bytes).find("does not exist"), std::string::npos);
+}
+
+TEST(File, OlderVersionIsRefusedWithAMessageThatSaysHowToMakeItAgain)
+{
+  Bytes bytes = MakeFile(*MakeSmallModel());
+  for (unsigned char version = 1; version < 6; ++version)
+  {
+    bytes[8] = version;
+    const std::string message = ReadAll(bytes);
+    EXPECT_NE(message.find("version " + std::to_string(version)), std::string::npos) << message;
+    EXPECT_NE(message.find("bmt build"), std::string::npos) << message;
+    EXPECT_NE(message.find("-o"), std::string::npos) << message;
+  }
 }
 
 TEST(File, OtherFilesAreRefused)

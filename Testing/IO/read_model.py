@@ -8,6 +8,7 @@ DUMP gets, for every arc in order: counts of points, ids, wedges of the table an
 ids (u64), the wedge table (u32), triangles (u32), then the columns of all arrays as they are in memory; at the end the
 blobs. The libraries that the format names are called directly: LZ4, zstd, xxHash.
 """
+import bisect
 import ctypes
 import ctypes.util
 import math
@@ -113,23 +114,50 @@ def unzigzag(code, width=32):
     return ((code >> 1) ^ -(code & 1)) & ((1 << width) - 1)
 
 
+PAGES, METADATA, NODES, ARCS, ENTERING, SECTIONS, MEASURES, RANGES = range(1, 9)  # types of blocks
+PAGE = 65536
+BLOB = 0x8000
+
+
 class Header:
+    """The header and its table of blocks; all pages are verified at once."""
+
     def __init__(self, data):
         require(data[:8] == bytes([0x89, 0x42, 0x4D, 0x54, 0x0D, 0x0A, 0x1A, 0x0A]), "no Multi-Triangulation file")
-        (self.version, size, self.file_size, self.nodes_at, self.arcs_at, self.directory_at, self.metadata_at,
-         self.metadata_size, self.patches_at, self.nodes, self.arcs, self.arrays, self.shared_borders,
-         self.input_triangles, self.step, ox, oy, oz, self.shift, self.blobs) = struct.unpack(
-             "<IIQQQQQQQIIIIQdqqqdI", data[8:140])
-        self.origin = (ox, oy, oz)
-        require(self.version == 5 and size == 256 and self.file_size == len(data), "another version, or truncated")
-        dag, head = struct.unpack("<QQ", data[240:256])
-        check(data[:248], head, "the header")
-        check(data[256:self.patches_at], dag, "the DAG block")
-        require(self.nodes_at == 256 and self.arcs_at == align(256 + 64 * self.nodes)
-                and self.directory_at == align(self.arcs_at + 72 * self.arcs)
-                and self.metadata_at == align(
-                    self.directory_at + 16 * (self.arcs * (1 + self.arrays) + self.blobs))
-                and self.patches_at == align(self.metadata_at + self.metadata_size, 4096), "blocks out of place")
+        (version, size, file_size, self.pages_at, self.sections_at, page_checksum, page, blocks,
+         reserved) = struct.unpack_from("<IIQQQQIIQ", data, 8)
+        require(version == 6 and file_size == len(data), "another version, or cut off")
+        require(size == max(256, align(72 + 24 * blocks)) and page == PAGE and reserved == 0, "an impossible header")
+        check(data[:size - 8], struct.unpack_from("<Q", data, size - 8)[0], "the header")
+        require(not any(data[64 + 24 * blocks:size - 8]), "the header is not padded with zeros")
+        self.blocks = {}
+        for i in range(blocks):
+            kind, flags, offset, length = struct.unpack_from("<IIQQ", data, 64 + 24 * i)
+            require(kind not in self.blocks and flags <= 1 and offset % 16 == 0, "an impossible block")
+            require(PAGES <= kind <= RANGES or flags == 0, f"a block of type {kind} must be known")
+            require(kind == PAGES or self.pages_at <= offset <= offset + length <= self.sections_at, "a block out of place")
+            self.blocks[kind] = (offset, length)
+        pages = range(self.pages_at, self.sections_at, PAGE)
+        require(self.blocks[PAGES] == (size, 8 * len(pages)) and self.pages_at == size + align(8 * len(pages))
+                and self.sections_at % 4096 == 0, "the page block is out of place")
+        check(data[size:self.pages_at], page_checksum, "the page block")
+        for i, at in enumerate(pages):
+            checksum = struct.unpack_from("<Q", data, size + 8 * i)[0]
+            check(data[at:min(at + PAGE, self.sections_at)], checksum, f"page {i}")
+        self.check_padding(data)
+
+    def check_padding(self, data):
+        ends = sorted((offset, offset + length) for offset, length in self.blocks.values())
+        at = ends[0][0]
+        for offset, end in ends + [(self.sections_at, self.sections_at)]:
+            require(offset >= at and not any(data[at:offset]), "blocks overlap, or are not padded with zeros")
+            at = end
+
+    def records(self, data, kind, layout):
+        offset, length = self.blocks.get(kind, (0, 0))
+        size = struct.calcsize("<" + layout)
+        require(length % size == 0, "a block of broken records")
+        return [struct.unpack_from("<" + layout, data, offset + i) for i in range(0, length, size)]
 
 
 class Array:
@@ -139,34 +167,99 @@ class Array:
         self.association, self.resampling, self.role, _ = stream.unpack("BBBB")
         self.component_names = [stream.string() for _ in range(stream.unpack("I")[0])]
         self.properties = stream.mapping(stream.string)
+        self.ranges = [stream.unpack("dd") for _ in range(self.components)]
 
 
 class Model:
     def __init__(self, data):
         self.data = data
         self.header = head = Header(data)
-        self.nodes = [struct.unpack_from("<7dII", data, head.nodes_at + 64 * i) for i in range(head.nodes)]
-        self.arcs = [struct.unpack_from("<6I6i3fffI", data, head.arcs_at + 72 * i) for i in range(head.arcs)]
-        metadata = Stream(data[head.metadata_at:head.metadata_at + head.metadata_size])
-        self.arrays = [Array(metadata) for _ in range(head.arrays)]
-        self.blobs = [(metadata.string(), metadata.string(), metadata.mapping(metadata.string))
-                      for _ in range(head.blobs)]
-        self.settings = metadata.mapping(metadata.string)
-        self.input_report = metadata.mapping(lambda: metadata.unpack("q")[0])
-        self.blocked = metadata.mapping(lambda: metadata.unpack("q")[0])
-        require(metadata.at == head.metadata_size, "metadata of another length")
-        self.sections = []
-        at = head.patches_at
-        for i in range(head.arcs * (1 + head.arrays) + head.blobs):
-            checksum, size, codec = struct.unpack_from("<QIB", data, head.directory_at + 16 * i)
-            self.sections.append((at, size, codec, checksum))
-            at += align(size)
-        require(at == len(data), "the directory does not account for all bytes")
+        self.nodes = head.records(data, NODES, "7d4I")
+        self.arcs = head.records(data, ARCS, "6I6i3fffBBHIIIIQ")
+        self.entering = [i for i, in head.records(data, ENTERING, "I")]
+        self.read_metadata()
+        self.sections = head.records(data, SECTIONS, "QIBBH")
+        if self.measures:
+            self.measure_values = head.records(data, MEASURES, f"{len(self.measures)}d")
+            require(len(self.measure_values) == len(self.nodes), "measures of other nodes")
+        if self.columns:
+            self.range_values = head.records(data, RANGES, f"{2 * len(self.columns)}d")
+            require(len(self.range_values) == len(self.arcs), "ranges of other arcs")
+        self.check_graph()
+        self.check_sections()
+        self.check_figures()
 
-    def section(self, index):
-        at, size, codec, checksum = self.sections[index]
-        check(self.data[at:at + align(size)], checksum, f"section {index}")
+    def read_metadata(self):
+        offset, length = self.header.blocks[METADATA]
+        stream = Stream(self.data[offset:offset + length])
+        (self.step, *self.origin, self.shift) = stream.unpack("d3qd")
+        self.input_counts = stream.unpack("4Q")
+        self.finest_triangles = stream.unpack("Q")[0]
+        self.box = stream.unpack("6i")
+        self.levels, self.shared_borders, arrays, blobs, measures, columns = stream.unpack("6I")
+        self.refinement, self.has_frame = stream.unpack("BB")
+        require(self.refinement <= 1 and self.has_frame <= 1 and not any(stream.take(6)), "impossible metadata")
+        self.frame = stream.unpack("16d")
+        self.arrays = [Array(stream) for _ in range(arrays)]
+        self.blobs = [(stream.string(), stream.string(), stream.mapping(stream.string), stream.unpack("Q")[0])
+                      for _ in range(blobs)]
+        self.measures = [stream.string() for _ in range(measures)]
+        self.columns = [stream.unpack("II") for _ in range(columns)]
+        self.crs, self.units = stream.string(), stream.string()
+        self.settings = stream.mapping(stream.string)
+        self.input_report = stream.mapping(lambda: stream.unpack("q")[0])
+        self.blocked = stream.mapping(lambda: stream.unpack("q")[0])
+        require(stream.at == length, "metadata of another length")
+
+    def check_graph(self):
+        """That the nodes' runs and the entering table are those of the arcs."""
+        require(self.entering == sorted(range(len(self.arcs)), key=lambda i: (self.arcs[i][1], i)), "another entering table")
+        require(all(a[:2] <= b[:2] for a, b in zip(self.arcs, self.arcs[1:])), "arcs out of order")
+        leaving, entering = ([arc[0] for arc in self.arcs], sorted(arc[1] for arc in self.arcs))
+        for n, node in enumerate(self.nodes):
+            require(node[9] == bisect.bisect_left(leaving, n), f"node {n} has another first arc")
+            require(node[10] == bisect.bisect_left(entering, n), f"node {n} has another first entry")
+
+    def check_sections(self):
+        """Places follow each other; self.places[arc] maps classes to (offset, section)."""
+        section, at = len(self.blobs), self.header.sections_at
+        self.places = []
+        for i, arc in enumerate(self.arcs):
+            kind, flags, count, first, offset = arc[17], arc[18], arc[19], arc[20], arc[24]
+            require(kind == 0 and flags == 0 and not any(arc[21:24]), f"arc {i} is of another kind")
+            require(first == section and offset == at and (count == 0) == (arc[2:5] == (0, 0, 0)), f"sections of arc {i}")
+            classes = [self.sections[section + k][4] for k in range(count)]
+            require(classes == sorted(set(classes)) and classes[:1] in ([], [0]), f"classes of arc {i}")
+            self.places.append({})
+            for number in classes:
+                self.places[-1][number] = (at, self.sections[section])
+                at += align(self.sections[section][1])
+                section += 1
+        require(section == len(self.sections), "sections of no arc")
+        for i, blob in enumerate(self.blobs):
+            require(blob[3] == at and self.sections[i][2:] == (0, 0, BLOB), f"blob {i} is out of place")
+            at += align(self.sections[i][1])
+        require(at == len(self.data), "the sections do not account for all bytes")
+
+    def check_figures(self):
+        finest = [arc for arc in self.arcs if self.refinement == 1 or arc[1] == len(self.nodes) - 1]
+        require(self.finest_triangles == sum(arc[2] for arc in finest), "another number of finest triangles")
+        require(self.levels == max((self.nodes[arc[1]][7] + 1 for arc in self.arcs), default=0), "other levels")
+        boxes = [arc[6:12] for arc in self.arcs if arc[6] <= arc[7]]
+        if boxes:
+            box = tuple((max if i % 2 else min)(b[i] for b in boxes) for i in range(6))
+            require(self.box == box, "another box")
+
+    def get(self, at, section, name):
+        checksum, size, codec = section[:3]
+        check(self.data[at:at + align(size)], checksum, name)
         return codec, self.data[at:at + size]
+
+    def section(self, arc, number):
+        """Codec and bytes; no bytes where there is no such section."""
+        if number not in self.places[arc]:
+            return 0, b""
+        return self.get(*self.places[arc][number], f"section {number} of arc {arc}")
 
 
 class NameReader:
@@ -631,19 +724,39 @@ def flatten(tuples):
     return [x for t in tuples for x in t]
 
 
+FORMATS = {2: "b", 15: "b", 3: "B", 4: "h", 5: "H", 6: "i", 7: "I", 8: "q", 9: "Q", 10: "f", 11: "d", 12: "q", 16: "q",
+           17: "Q"}
+
+
+def extend_ranges(ranges, array, column):
+    """Made normals are other ones when they come back, and exact points are no values."""
+    if array.role in (2, 3):
+        return
+    values = [x for x, in struct.iter_unpack("<" + FORMATS[array.type], column)]
+    for c, known in enumerate(ranges):
+        own = [float(x) for x in values[c::array.components] if x == x]
+        ranges[c] = (min([known[0]] + own), max([known[1]] + own))
+
+
 def dump(model, out):
+    ranges = [[(math.inf, -math.inf)] * array.components for array in model.arrays]
     for i, arc in enumerate(model.arcs):
-        first = i * (1 + len(model.arrays))
-        patch = Patch(arc, *model.section(first))
+        is_finest = model.refinement == 1 or arc[1] == len(model.nodes) - 1
+        patch = Patch(arc, *model.section(i, 0))
         table = patch.wedges or []
         out.write(struct.pack("<4I", len(patch.points), len(patch.ids), len(table), len(patch.triangles)))
         out.write(struct.pack(f"<{3 * len(patch.points)}i", *flatten(patch.points)))
         out.write(struct.pack(f"<{len(patch.ids)}Q{len(table)}I", *patch.ids, *table))
         out.write(struct.pack(f"<{3 * len(patch.triangles)}I", *flatten(patch.triangles)))
         for j, array in enumerate(model.arrays):
-            out.write(read_column(array, arc, patch, *model.section(first + 1 + j)))
-    for i in range(len(model.blobs)):
-        out.write(model.section(len(model.arcs) * (1 + len(model.arrays)) + i)[1])
+            column = read_column(array, arc, patch, *model.section(i, 1 + j))
+            out.write(column)
+            if is_finest:
+                extend_ranges(ranges[j], array, column)
+    for array, own in zip(model.arrays, ranges):
+        require(array.role == 2 or array.ranges == own, f"the ranges of {array.name} are others")
+    for i, blob in enumerate(model.blobs):
+        out.write(model.get(blob[3], model.sections[i], f"blob {i}")[1])
 
 
 def main():

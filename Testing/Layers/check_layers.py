@@ -59,7 +59,8 @@ WITHOUT_VTK = {
     "Module": ("vtkMTGraph", "vtkMTCut", "vtkMTView"),
     "Rendering/Core": ("vtkMTTargetCut", "vtkMTArcViews", "vtkMTArcProjector", "vtkMTCutFollower"),
     "IO/MultiTriangulation": (
-        "vtkMTFileDag", "vtkMTFileMetadata", "vtkMTPatchCodec", "vtkMTPackedGeometry", "vtkMTRawGeometry",
+        "vtkMTFileBlocks", "vtkMTFileDag", "vtkMTFileDagReader", "vtkMTFileDagWalk",
+        "vtkMTFileMetadata", "vtkMTFilePages", "vtkMTFilePatches", "vtkMTPatchCodec", "vtkMTPackedGeometry", "vtkMTRawGeometry",
         "vtkMTTriangleDecoder", "vtkMTPositionCodec", "vtkMTIdCodec", "vtkMTColumnCodec", "vtkMTByteCodec", "vtkMTRiceCode",
     ),
 }

@@ -153,3 +153,50 @@ TEST(Cut, EmptyModelHasTheEmptyCut)
   EXPECT_EQ(cut.GetError(), 0.0);
   EXPECT_EQ(vtkMTRandomCut::GetLevelSpan(graph, vtkMTRandomCut::Make(graph, 1, 3)), 0u);
 }
+
+TEST(Cut, RefinementThatAddsKeepsWhatItRefines)
+{
+  vtkMTGraph graph = PaperGraph();
+  graph.Refinement = vtkMTGraph::Add;
+  for (std::uint32_t node = 0; node < graph.Nodes.size(); ++node)
+  {
+    EXPECT_EQ(graph.GetReplaced(node).size(), 0u);
+    EXPECT_EQ(graph.GetEntering(node).size(), graph.Nodes[node].InCount);
+  }
+  vtkMTCut cut(graph);
+  EXPECT_EQ(GetEnds(graph, cut), (std::set<Ends>{ { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 5 } }));
+  EXPECT_EQ(cut.GetError(), graph.Nodes[1].Error);
+  EXPECT_EQ(cut.RefineWithDependencies(3), 3u);
+  EXPECT_EQ(GetEnds(graph, cut),
+    (std::set<Ends>{ { 0, 1 }, { 0, 2 }, { 0, 3 }, { 0, 5 }, { 1, 3 }, { 1, 4 }, { 2, 3 }, { 2, 5 }, { 3, 5 } }));
+  EXPECT_EQ(cut.GetNumberOfArcs(), 9u);
+  EXPECT_EQ(cut.GetNumberOfTriangles(), 1u + 2 + 3 + 5 + 13 + 14 + 23 + 25 + 35);
+  EXPECT_EQ(cut.GetError(), graph.Nodes[4].Error) << "what was added to the coarse patches says how good they are";
+  EXPECT_FALSE(cut.CanCoarsen(1));
+  EXPECT_TRUE(cut.Coarsen(3));
+  EXPECT_EQ(cut.GetNumberOfTriangles(), 1u + 2 + 3 + 5 + 13 + 14 + 23 + 25);
+  EXPECT_EQ(cut.GetNumberOfArcs(), 8u);
+  EXPECT_EQ(graph.GetNumberOfFinestTriangles(), 1u + 2 + 3 + 5 + 13 + 14 + 23 + 25 + 35 + 45);
+}
+
+TEST(Cut, OnlyKnownNodesAreRefined)
+{
+  vtkMTGraph graph = PaperGraph();
+  EXPECT_TRUE(graph.IsWhole());
+  EXPECT_EQ(graph.GetNumberOfKnownNodes(), 6u);
+  EXPECT_EQ(graph.GetNumberOfKnownArcs(), 10u);
+  graph.SetFigures(graph.GetFigures());
+  graph.SetNumberOfKnownNodes(2);
+  EXPECT_FALSE(graph.IsWhole());
+  EXPECT_EQ(graph.GetNumberOfKnownArcs(), 6u);
+  EXPECT_EQ(graph.GetNumberOfLevels(), 4u);
+  vtkMTCut cut(graph);
+  EXPECT_TRUE(cut.CanRefine(1));
+  EXPECT_FALSE(cut.CanRefine(2));
+  EXPECT_EQ(cut.RefineWithDependencies(3), 0u);
+  EXPECT_EQ(cut.RefineWithDependencies(1), 1u);
+  graph.SetNumberOfKnownNodes(6);
+  EXPECT_TRUE(graph.IsWhole());
+  EXPECT_EQ(cut.RefineWithDependencies(3), 2u);
+  EXPECT_FALSE(cut.CanRefine(5));
+}

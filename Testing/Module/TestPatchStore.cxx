@@ -2,7 +2,13 @@
 #include "MTTestModel.h"
 #include "vtkMTPatchStore.h"
 
+#include "vtkType.h"
+
 #include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <type_traits>
 
 namespace
 {
@@ -96,4 +102,46 @@ TEST(Patch, FiguresCountOnlyWhatTrianglesUse)
   EXPECT_EQ(patch.GetBox(), (vtkMTBox{ 0, 3, 0, 4, 0, 0 }));
   EXPECT_DOUBLE_EQ(patch.GetMeanEdgeLength(), 4.0);
   EXPECT_EQ(patch.GetPointsOfTriangle(0), (vtkMTTriangle{ 2, 0, 1 }));
+}
+
+TEST(PatchStore, RangesAreThoseOfTheFinestLevel)
+{
+  const auto model = MTTestModel::MakeTube();
+  const vtkMTGraph& graph = model->GetGraph();
+  ASSERT_EQ(graph.ArrayRanges.size(), 3u);
+  ASSERT_EQ(graph.ArrayRanges[1].size(), 2u);
+  // The ids of all input cells are in the finest level, and nowhere else are there as many.
+  EXPECT_EQ(graph.ArrayRanges[2][0].Minimum, 0.0);
+  EXPECT_EQ(graph.ArrayRanges[2][0].Maximum, static_cast<double>(graph.GetNumberOfFinestTriangles() - 1));
+  EXPECT_LT(graph.ArrayRanges[0][0].Minimum, graph.ArrayRanges[0][0].Maximum);
+}
+
+TEST(ArrayInfo, RangesAreExactInEveryTypeAndLeaveNaNOut)
+{
+  const auto column = [](auto... values)
+  {
+    const std::common_type_t<decltype(values)...> list[] = { values... };
+    vtkMTColumn bytes(sizeof(list));
+    std::memcpy(bytes.data(), list, sizeof(list));
+    return bytes;
+  };
+  vtkMTArrayInfo array;
+  array.Type = VTK_FLOAT;
+  array.Components = 2;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::vector<vtkMTRange> ranges = array.GetRanges(column(nan, 3.0f, -0.1f, nan, 7.5f, 3.0f));
+  EXPECT_TRUE((ranges[0] == vtkMTRange{ static_cast<double>(-0.1f), 7.5 }));
+  EXPECT_TRUE((ranges[1] == vtkMTRange{ 3.0, 3.0 }));
+  EXPECT_TRUE(array.GetRanges(column(nan, 1.0f))[0].IsEmpty());
+  EXPECT_TRUE(array.GetRanges({})[1].IsEmpty());
+  array.Components = 1;
+  array.Type = VTK_SIGNED_CHAR;
+  ranges = array.GetRanges(column(static_cast<signed char>(-128), static_cast<signed char>(127)));
+  EXPECT_TRUE((ranges[0] == vtkMTRange{ -128.0, 127.0 }));
+  array.Type = VTK_UNSIGNED_LONG_LONG;
+  ranges = array.GetRanges(column(~0ull, 1ull));
+  EXPECT_TRUE((ranges[0] == vtkMTRange{ 1.0, 0x1p64 }));
+  array.Type = VTK_INT;
+  array.Role = vtkMTArrayInfo::ExactPoints;
+  EXPECT_TRUE(array.GetRanges(column(1, 2))[0].IsEmpty());
 }

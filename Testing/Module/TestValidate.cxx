@@ -232,6 +232,28 @@ TEST(Validate, DamagedGraphsAreFound)
       } },
     { "the input", [](Store& s) { s.GetMutableGraph().InputCounts.Triangles = 7; } },
     { "needs a source", [](Store& s) { s.GetMutableGraph() = vtkMTGraph(); } },
+    { "nodes could be read", [](Store& s) { s.GetMutableGraph().SetNumberOfKnownNodes(2); } },
+    { "the measure rise",
+      [](Store& s)
+      {
+        vtkMTMeasure& measure = s.GetMutableGraph().Measures.emplace_back();
+        measure = { "rise", std::vector<double>(s.GetGraph().Nodes.size(), 1.0) };
+        measure.Values.back() = 2.0;
+      } },
+    { "do not hold those of arc",
+      [](Store& s)
+      {
+        vtkMTArcRanges& ranges = s.GetMutableGraph().ArcRanges;
+        ranges.Columns = { { 0, 0 } };
+        ranges.Values.resize(s.GetGraph().Arcs.size());
+        ranges.Values.back() = { 1.0, 2.0 };
+      } },
+    { "is a dependency with a box",
+      [](Store& s)
+      {
+        vtkMTArc& arc = s.GetMutableGraph().Arcs[2];
+        arc.Points = arc.Wedges = arc.Triangles = arc.SharedPoints = 0;
+      } },
   };
   for (const Planted& damage : damages)
   {
@@ -254,6 +276,7 @@ TEST(Validate, DamagedPatchesAreFound)
     { "bytes for", [](Store& s) { InnerPatch(s).PointColumns[1].pop_back(); } },
     { "bytes for", [](Store& s) { InnerPatch(s).CellColumns[0].resize(8); } },
     { "point and", [](Store& s) { InnerPatch(s).PointColumns.emplace_back(); } },
+    { "of another kind", [](Store& s) { InnerPatch(s).Kind = vtkMTPatchKind::Points; } },
     { "occurs twice", [](Store& s) { InnerPatch(s).Ids[1] = InnerPatch(s).Ids[0]; } },
     { "more ids than points",
       [](Store& s)

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """The package can be imported beside vtkmodules, and its classes are VTK classes there."""
+import tempfile
 import unittest
 
 import multitriangulation
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData, vtkSphere
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 
 class Package(unittest.TestCase):
@@ -22,6 +25,42 @@ class Package(unittest.TestCase):
         model = multitriangulation.vtkMultiTriangulation()
         self.assertIsInstance(model, vtkPolyData)
         self.assertEqual(model.GetNumberOfPatches(), 0)
+
+    def test_a_file_is_built_of_a_file_and_opened(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = vtkSphereSource()
+            source.SetThetaResolution(60)
+            source.SetPhiResolution(60)
+            writer = vtkPLYWriter()
+            writer.SetInputConnection(source.GetOutputPort())
+            writer.SetFileName(folder + "/sphere.ply")
+            writer.Write()
+            builder = multitriangulation.vtkMultiTriangulationFileBuilder()
+            builder.AddFileName(folder + "/sphere.ply")
+            builder.SetOutputFileName(folder + "/sphere.bmt")
+            builder.SetPatchTriangles(200)
+            progress = []
+            builder.AddObserver("ProgressEvent", lambda caller, event: progress.append(caller.GetProgress()))
+            self.assertEqual(builder.Write(), 1, builder.GetErrorMessage())
+            self.assertEqual(progress[-1], 1.0)
+            reader = multitriangulation.vtkMultiTriangulationReader()
+            reader.SetFileName(folder + "/sphere.bmt")
+            reader.Update()
+            model = reader.GetOutput()
+            print(model.GetNumberOfPatches(), "patches,", len(progress), "progress events")
+            self.assertGreater(model.GetNumberOfPatches(), 10)
+
+    def test_errors_of_a_build_have_codes_and_are_observed(self):
+        builder = multitriangulation.vtkMultiTriangulationFileBuilder()
+        errors = []
+        builder.AddObserver("ErrorEvent", lambda caller, event: errors.append(caller.GetErrorMessage()))
+        builder.GetExecutive().AddObserver("ErrorEvent", lambda caller, event: None)
+        builder.SetFileName("no-such-file.ply")
+        builder.SetOutputFileName("out.bmt")
+        self.assertEqual(builder.Write(), 0)
+        self.assertEqual(builder.GetErrorCode(), vtkErrorCode.FileNotFoundError)
+        self.assertEqual(len(errors), 1)
+        self.assertIn("no-such-file.ply", errors[0])
 
     def test_filters_of_a_pipeline(self):
         names = (

@@ -121,7 +121,7 @@ vtkMTGraph MTRandomGraph::Make(std::uint32_t seed, int finestNodes, bool planar)
     for (auto& entry : elements)
     {
       vtkMTArc arc;
-      // Enters the node that made it (level 0: nobody did), leaves the one whose floor it belongs to.
+      // Enters the node that made it (level 0: none), leaves the one whose floor it belongs to.
       arc.To = level == 0 ? sink : first[level] + static_cast<std::uint32_t>(entry.first.first);
       arc.From = level + 1 < steps ? first[level + 1] + static_cast<std::uint32_t>(entry.first.second) : 0;
       arc.Box = entry.second.Box;

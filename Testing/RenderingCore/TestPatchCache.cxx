@@ -239,7 +239,7 @@ TEST(PatchCache, ViewsDoNotPushOutWhatTheOtherWantsMore)
   EXPECT_LE(cache.GetMostUsedBytes(), cache.GetLimit());
   std::cout << source->Reads - before << " patches beside the other view's three\n";
   EXPECT_GT(source->Reads, before + 5);
-  // Nobody else wants anything: now there is room for the rest of this view, and only as much as before.
+  // Nothing else is wanted: now there is room for the rest of this view, and only as much as before.
   cache.Forget(&first);
   LookOn(cache, &second, Wants(AllArcs(*source), 1.0));
   const int settled = source->Reads;

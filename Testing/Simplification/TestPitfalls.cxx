@@ -165,7 +165,7 @@ TEST(Pitfalls, NoNewEdgeJoinsTwoLockedPoints)
   }
 }
 
-// Pitfall 5: CGAL collapses edges without length first and asks nobody.
+// Pitfall 5: CGAL collapses edges without length first and asks no predicate.
 TEST(Pitfalls, EdgesWithoutLengthStopAtTheTargetAndRespectLocks)
 {
   vtkMTPatch floor = MakeGrid(21, 21);

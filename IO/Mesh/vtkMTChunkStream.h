@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangle stream over a file that is read in pieces, each a small mesh by itself. Not installed.
-#ifndef vtkMTPieceStream_h
-#define vtkMTPieceStream_h
+// A triangle stream over a file that is read in chunks, each a small mesh by itself. Not installed.
+#ifndef vtkMTChunkStream_h
+#define vtkMTChunkStream_h
 
+#include "vtkMTCellCorners.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTSpoolLookup.h"
 #include "vtkMTTriangleStream.h"
@@ -12,12 +13,12 @@
 #include <memory>
 
 /**
- * The pieces go through the format's reader and vtkMTPolyDataStream as the whole file would: so arrays, types, values
- * and triangles are the same whether a file is streamed or read whole. Derived classes say what the pieces are. When a
+ * The chunks go through the format's reader and vtkMTPolyDataStream as the whole file would: so arrays, types, values
+ * and triangles are the same whether a file is streamed or read whole. Derived classes say what the chunks are. When a
  * file is opened, they look at every cell (AddCell): how a polygon becomes triangles depends on the places of its
  * corners, which are looked up for all polygons at once (vtkMTSpoolLookup).
  */
-class vtkMTPieceStream : public vtkMTTriangleStream
+class vtkMTChunkStream : public vtkMTTriangleStream
 {
 public:
   const std::vector<vtkMTArrayInfo>& GetArrays() const override { return this->Arrays; }
@@ -32,23 +33,16 @@ public:
   bool NextTriangles(TriangleBlock& block) override;
 
 protected:
-  static constexpr std::uint64_t PieceSize = 65535; // a multiple of three
-
-  /// The corners of cells, one cell behind the other: points of the whole file.
-  struct CellCorners
-  {
-    std::vector<std::uint64_t> Points;
-    std::vector<std::size_t> Ends; // of each cell in Points
-  };
+  static constexpr std::uint64_t ChunkSize = 65535; // a multiple of three
 
   /// store: for what is looked up; without one there can be no polygons. memory: bytes, for that.
-  explicit vtkMTPieceStream(vtkMTSpoolStore* store = nullptr, std::size_t memory = 0);
+  explicit vtkMTChunkStream(vtkMTSpoolStore* store = nullptr, std::size_t memory = 0);
 
   ///@{
   /// The next `count` points as a mesh, or cells with the mesh's cell arrays; the mesh's own cells do not matter.
   virtual bool RewindFile() = 0;
-  virtual bool ReadPoints(std::uint64_t count, vtkPolyData* piece) = 0;
-  virtual bool ReadCells(std::uint64_t count, vtkPolyData* piece, CellCorners& corners) = 0;
+  virtual bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) = 0;
+  virtual bool ReadCells(std::uint64_t count, vtkPolyData* chunk, vtkMTCellCorners& corners) = 0;
   ///@}
 
   ///@{
@@ -56,7 +50,7 @@ protected:
   bool AddCell(const std::uint64_t* corners, std::size_t count);
   bool FinishCells();
   ///@}
-  /// The arrays of points and of cells that pieces have; cells: the arrays of one cell.
+  /// The arrays of points and of cells that chunks have; cells: the arrays of one cell.
   static std::vector<vtkMTArrayInfo> GetArraysOf(vtkPolyData* points, vtkPolyData* cells);
 
   bool Fail(const std::string& error)
@@ -77,18 +71,20 @@ private:
   bool BeginCells();
   bool AreCellsPlain();
   void TakePlainCells(TriangleBlock& block);
+  bool TakeTriangles(TriangleBlock& block);
+  bool ReadChunk();
   bool AddPlaces();
   bool HasArraysOf(vtkMTArrayInfo::AssociationType association) const;
 
   std::uint64_t Cells = 0;
   std::uint64_t Triangles = 0;
   std::unique_ptr<vtkMTSpoolLookup> Places; // of the corners of all polygons; null: there are none
-  vtkNew<vtkPolyData> Piece;
-  std::unique_ptr<vtkMTPolyDataStream> Stream; // of the piece
-  CellCorners Corners;
-  std::uint64_t PointsRead = 0; // all pieces together
-  std::uint64_t CellsRead = 0;  // all pieces together
-  std::uint64_t FirstOfPiece = 0;
+  vtkNew<vtkPolyData> Chunk;
+  std::unique_ptr<vtkMTPolyDataStream> Stream; // of the chunk
+  vtkMTCellCorners Corners;
+  std::uint64_t PointsRead = 0; // all chunks together
+  std::uint64_t CellsRead = 0;  // all chunks together
+  std::uint64_t FirstOfChunk = 0;
 };
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtModelSink.h"
+#include "vtkMTModelSink.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ bool IsIds(const vtkMTArrayInfo& array)
 }
 }
 
-bmtModelSink::bmtModelSink(
+vtkMTModelSink::vtkMTModelSink(
   vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds, const std::string& identity)
   : Next(next)
   , Textures(textures)
@@ -31,13 +31,13 @@ bmtModelSink::bmtModelSink(
 {
 }
 
-bool bmtModelSink::Pass(bool done)
+bool vtkMTModelSink::Pass(bool done)
 {
   this->Error = done ? "" : this->Next.GetError();
   return done;
 }
 
-std::vector<vtkMTArrayInfo> bmtModelSink::Select(const std::vector<vtkMTArrayInfo>& arrays) const
+std::vector<vtkMTArrayInfo> vtkMTModelSink::Select(const std::vector<vtkMTArrayInfo>& arrays) const
 {
   std::vector<vtkMTArrayInfo> selected = arrays;
   if (!this->WithIds)
@@ -47,7 +47,7 @@ std::vector<vtkMTArrayInfo> bmtModelSink::Select(const std::vector<vtkMTArrayInf
   return selected;
 }
 
-void bmtModelSink::FindDroppedColumns(const std::vector<vtkMTArrayInfo>& arrays)
+void vtkMTModelSink::FindDroppedColumns(const std::vector<vtkMTArrayInfo>& arrays)
 {
   this->DroppedCellColumns.clear();
   std::size_t column = 0;
@@ -64,7 +64,7 @@ void bmtModelSink::FindDroppedColumns(const std::vector<vtkMTArrayInfo>& arrays)
   }
 }
 
-void bmtModelSink::Drop(vtkMTPatch& patch) const
+void vtkMTModelSink::Drop(vtkMTPatch& patch) const
 {
   for (std::size_t column : this->DroppedCellColumns)
   {
@@ -72,7 +72,7 @@ void bmtModelSink::Drop(vtkMTPatch& patch) const
   }
 }
 
-bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
+bool vtkMTModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
 {
   this->FindDroppedColumns(arrays);
   bool done = this->Next.Begin(this->Select(arrays));
@@ -83,40 +83,40 @@ bool bmtModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
   return this->Pass(done);
 }
 
-bool bmtModelSink::WritePatch(vtkMTPatch&& patch)
+bool vtkMTModelSink::WritePatch(vtkMTPatch&& patch)
 {
   this->Drop(patch);
   return this->Pass(this->Next.WritePatch(std::move(patch)));
 }
 
-std::unique_ptr<vtkMTPatchSink::PreparedPatch> bmtModelSink::Prepare(vtkMTPatch&& patch, std::string& error) const
+std::unique_ptr<vtkMTPatchSink::PreparedPatch> vtkMTModelSink::Prepare(vtkMTPatch&& patch, std::string& error) const
 {
   this->Drop(patch);
   return this->Next.Prepare(std::move(patch), error);
 }
 
-bool bmtModelSink::WritePrepared(std::unique_ptr<PreparedPatch> patch)
+bool vtkMTModelSink::WritePrepared(std::unique_ptr<PreparedPatch> patch)
 {
   return this->Pass(this->Next.WritePrepared(std::move(patch)));
 }
 
-bool bmtModelSink::Save(std::vector<unsigned char>& state)
+bool vtkMTModelSink::Save(std::vector<unsigned char>& state)
 {
   return this->Pass(this->Next.Save(state));
 }
 
-bool bmtModelSink::Restore(const std::vector<vtkMTArrayInfo>& arrays, const std::vector<unsigned char>& state)
+bool vtkMTModelSink::Restore(const std::vector<vtkMTArrayInfo>& arrays, const std::vector<unsigned char>& state)
 {
   this->FindDroppedColumns(arrays);
   return this->Pass(this->Next.Restore(this->Select(arrays), state));
 }
 
-bool bmtModelSink::WriteBlob(std::vector<unsigned char>&& bytes)
+bool vtkMTModelSink::WriteBlob(std::vector<unsigned char>&& bytes)
 {
   return this->Pass(this->Next.WriteBlob(std::move(bytes)));
 }
 
-bool bmtModelSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)
+bool vtkMTModelSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc)
 {
   vtkMTGraph finished = graph;
   finished.Arrays = this->Select(graph.Arrays);

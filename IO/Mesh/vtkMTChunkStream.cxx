@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkMTPieceStream.h"
+#include "vtkMTChunkStream.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -24,14 +24,14 @@ std::vector<vtkMTArrayInfo> Select(
 }
 }
 
-vtkMTPieceStream::vtkMTPieceStream(vtkMTSpoolStore* store, std::size_t memory)
+vtkMTChunkStream::vtkMTChunkStream(vtkMTSpoolStore* store, std::size_t memory)
   : Store(store)
   , Memory(memory)
 {
 }
 
 //------------------------------------------------------------------------------
-bool vtkMTPieceStream::AddCell(const std::uint64_t* corners, std::size_t count)
+bool vtkMTChunkStream::AddCell(const std::uint64_t* corners, std::size_t count)
 {
   ++this->Cells;
   if (count < 3)
@@ -56,7 +56,7 @@ bool vtkMTPieceStream::AddCell(const std::uint64_t* corners, std::size_t count)
     corners, corners + count, [this](std::uint64_t corner) { return this->Places->Request(corner, this->Error); });
 }
 
-bool vtkMTPieceStream::FinishCells()
+bool vtkMTChunkStream::FinishCells()
 {
   if (!this->Places)
   {
@@ -66,18 +66,18 @@ bool vtkMTPieceStream::FinishCells()
   {
     return false;
   }
-  for (std::uint64_t read = 0; read < this->Points; read += PieceSize)
+  for (std::uint64_t read = 0; read < this->Points; read += ChunkSize)
   {
-    const std::uint64_t count = std::min(PieceSize, this->Points - read);
-    this->Piece->Initialize();
-    if (!this->ReadPoints(count, this->Piece))
+    const std::uint64_t count = std::min(ChunkSize, this->Points - read);
+    this->Chunk->Initialize();
+    if (!this->ReadPoints(count, this->Chunk))
     {
       return false;
     }
     for (std::uint64_t i = 0; i < count; ++i)
     {
       double place[3];
-      this->Piece->GetPoint(static_cast<vtkIdType>(i), place);
+      this->Chunk->GetPoint(static_cast<vtkIdType>(i), place);
       if (!this->Places->PassBy(place, this->Error))
       {
         return false;
@@ -87,7 +87,7 @@ bool vtkMTPieceStream::FinishCells()
   return this->Places->Finish(this->Error);
 }
 
-std::vector<vtkMTArrayInfo> vtkMTPieceStream::GetArraysOf(vtkPolyData* points, vtkPolyData* cells)
+std::vector<vtkMTArrayInfo> vtkMTChunkStream::GetArraysOf(vtkPolyData* points, vtkPolyData* cells)
 {
   std::vector<vtkMTArrayInfo> arrays = Select(vtkMTPolyDataStream(points).GetArrays(), vtkMTArrayInfo::Point);
   vtkNew<vtkPolyData> one; // arrays without a cell would be left out
@@ -101,7 +101,7 @@ std::vector<vtkMTArrayInfo> vtkMTPieceStream::GetArraysOf(vtkPolyData* points, v
 }
 
 //------------------------------------------------------------------------------
-bool vtkMTPieceStream::Rewind()
+bool vtkMTChunkStream::Rewind()
 {
   this->Error.clear();
   this->Stream.reset();
@@ -115,20 +115,20 @@ bool vtkMTPieceStream::Rewind()
 }
 
 // A file that says other things later than at its beginning must not be believed.
-bool vtkMTPieceStream::HasArraysOf(vtkMTArrayInfo::AssociationType association) const
+bool vtkMTChunkStream::HasArraysOf(vtkMTArrayInfo::AssociationType association) const
 {
   return Select(this->Stream->GetArrays(), association) == Select(this->Arrays, association);
 }
 
-bool vtkMTPieceStream::BeginPoints()
+bool vtkMTChunkStream::BeginPoints()
 {
-  this->Piece->GetCellData()->Initialize();
-  this->Piece->SetPolys(nullptr);
-  this->Stream = std::make_unique<vtkMTPolyDataStream>(this->Piece);
+  this->Chunk->GetCellData()->Initialize();
+  this->Chunk->SetPolys(nullptr);
+  this->Stream = std::make_unique<vtkMTPolyDataStream>(this->Chunk);
   return this->HasArraysOf(vtkMTArrayInfo::Point) || this->Fail("its arrays change within the file");
 }
 
-bool vtkMTPieceStream::NextPoints(PointBlock& block)
+bool vtkMTChunkStream::NextPoints(PointBlock& block)
 {
   block = PointBlock();
   for (;;)
@@ -149,9 +149,9 @@ bool vtkMTPieceStream::NextPoints(PointBlock& block)
     {
       return true;
     }
-    const std::uint64_t count = std::min(PieceSize, this->Points - this->PointsRead);
-    this->Piece->Initialize();
-    if (!this->ReadPoints(count, this->Piece) || !this->BeginPoints())
+    const std::uint64_t count = std::min(ChunkSize, this->Points - this->PointsRead);
+    this->Chunk->Initialize();
+    if (!this->ReadPoints(count, this->Chunk) || !this->BeginPoints())
     {
       return false;
     }
@@ -160,7 +160,7 @@ bool vtkMTPieceStream::NextPoints(PointBlock& block)
 }
 
 // Every corner is a point by itself; polygons have theirs where they belong.
-bool vtkMTPieceStream::AddPlaces()
+bool vtkMTChunkStream::AddPlaces()
 {
   vtkNew<vtkDoubleArray> places;
   places->SetNumberOfComponents(3);
@@ -182,13 +182,13 @@ bool vtkMTPieceStream::AddPlaces()
   }
   vtkNew<vtkPoints> points;
   points->SetData(places);
-  this->Piece->SetPoints(points);
+  this->Chunk->SetPoints(points);
   return true;
 }
 
-bool vtkMTPieceStream::BeginCells()
+bool vtkMTChunkStream::BeginCells()
 {
-  this->Piece->GetPointData()->Initialize();
+  this->Chunk->GetPointData()->Initialize();
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> corners;
   offsets->SetNumberOfValues(static_cast<vtkIdType>(this->Corners.Ends.size() + 1));
@@ -198,26 +198,26 @@ bool vtkMTPieceStream::BeginCells()
   std::iota(corners->GetPointer(0), corners->GetPointer(0) + corners->GetNumberOfValues(), vtkIdType(0));
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, corners);
-  this->Piece->SetPolys(cells);
+  this->Chunk->SetPolys(cells);
   if (!this->AddPlaces())
   {
     return false;
   }
-  this->Stream = std::make_unique<vtkMTPolyDataStream>(this->Piece);
+  this->Stream = std::make_unique<vtkMTPolyDataStream>(this->Chunk);
   return this->HasArraysOf(vtkMTArrayInfo::Cell) || this->Fail("its arrays change within the file");
 }
 
-// Whether the cells of the piece are triangles, all of them, and have no arrays.
-bool vtkMTPieceStream::AreCellsPlain()
+// Whether the cells of the chunk are triangles, all of them, and have no arrays.
+bool vtkMTChunkStream::AreCellsPlain()
 {
   std::size_t end = 0;
-  return Select(this->Arrays, vtkMTArrayInfo::Cell).empty() && this->Piece->GetCellData()->GetNumberOfArrays() == 0 &&
+  return Select(this->Arrays, vtkMTArrayInfo::Cell).empty() && this->Chunk->GetCellData()->GetNumberOfArrays() == 0 &&
     std::all_of(
       this->Corners.Ends.begin(), this->Corners.Ends.end(), [&end](std::size_t next) { return next == (end += 3); });
 }
 
 // They are a block as they are.
-void vtkMTPieceStream::TakePlainCells(TriangleBlock& block)
+void vtkMTChunkStream::TakePlainCells(TriangleBlock& block)
 {
   const std::size_t count = this->Corners.Ends.size();
   block.Triangles.resize(count);
@@ -226,11 +226,39 @@ void vtkMTPieceStream::TakePlainCells(TriangleBlock& block)
   {
     const std::uint64_t* corners = this->Corners.Points.data() + 3 * t;
     block.Triangles[t] = { corners[0], corners[1], corners[2] };
-    block.CellIds[t] = static_cast<std::int64_t>(this->FirstCell + this->FirstOfPiece + t);
+    block.CellIds[t] = static_cast<std::int64_t>(this->FirstCell + this->FirstOfChunk + t);
   }
 }
 
-bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
+// The next triangles of the chunk, by points of the whole file; none at its end.
+bool vtkMTChunkStream::TakeTriangles(TriangleBlock& block)
+{
+  if (!this->Stream->NextTriangles(block))
+  {
+    return this->Fail(this->Stream->GetError());
+  }
+  for (std::size_t t = 0; t < block.Triangles.size(); ++t)
+  {
+    for (std::uint64_t& corner : block.Triangles[t])
+    {
+      corner = this->Corners.Points[static_cast<std::size_t>(corner)];
+    }
+    block.CellIds[t] += static_cast<std::int64_t>(this->FirstCell + this->FirstOfChunk);
+  }
+  return true;
+}
+
+bool vtkMTChunkStream::ReadChunk()
+{
+  const std::uint64_t count = std::min(ChunkSize, this->Cells - this->CellsRead);
+  this->Chunk->Initialize();
+  this->Corners = vtkMTCellCorners();
+  this->FirstOfChunk = this->CellsRead;
+  this->CellsRead += count;
+  return this->ReadCells(count, this->Chunk, this->Corners);
+}
+
+bool vtkMTChunkStream::NextTriangles(TriangleBlock& block)
 {
   PointBlock skipped;
   while (this->PointsRead < this->Points)
@@ -249,21 +277,10 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
   {
     if (this->Stream)
     {
-      if (!this->Stream->NextTriangles(block))
+      const bool good = this->TakeTriangles(block);
+      if (!good || !block.Triangles.empty())
       {
-        return this->Fail(this->Stream->GetError());
-      }
-      for (std::size_t t = 0; t < block.Triangles.size(); ++t)
-      {
-        for (std::uint64_t& corner : block.Triangles[t])
-        {
-          corner = this->Corners.Points[static_cast<std::size_t>(corner)];
-        }
-        block.CellIds[t] += static_cast<std::int64_t>(this->FirstCell + this->FirstOfPiece);
-      }
-      if (!block.Triangles.empty())
-      {
-        return true;
+        return good;
       }
       this->Stream.reset();
     }
@@ -271,15 +288,10 @@ bool vtkMTPieceStream::NextTriangles(TriangleBlock& block)
     {
       return true;
     }
-    const std::uint64_t count = std::min(PieceSize, this->Cells - this->CellsRead);
-    this->Piece->Initialize();
-    this->Corners = CellCorners();
-    if (!this->ReadCells(count, this->Piece, this->Corners))
+    if (!this->ReadChunk())
     {
       return false;
     }
-    this->FirstOfPiece = this->CellsRead;
-    this->CellsRead += count;
     if (this->AreCellsPlain())
     {
       this->TakePlainCells(block);

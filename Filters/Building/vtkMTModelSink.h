@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file bmtModelSink.h
- * @brief a patch sink in front of another one, for what `bmt build` adds to a model or leaves out of it
+ * @class vtkMTModelSink
+ * @brief a patch sink in front of another one, for what a file gets beside the builder's patches, or not
  */
-#ifndef bmtModelSink_h
-#define bmtModelSink_h
+#ifndef vtkMTModelSink_h
+#define vtkMTModelSink_h
 
+#include "vtkMTBuildingModule.h" // For export macro
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSink.h"
 #include "vtkMTTexture.h"
@@ -14,12 +15,12 @@
 #include <string>
 #include <vector>
 
-class bmtModelSink : public vtkMTPatchSink
+class VTKMTBUILDING_EXPORT vtkMTModelSink : public vtkMTPatchSink
 {
 public:
   /// textures become blobs of the model; without ids the array of input cell ids is left out. identity: what tells the
   /// build from others, kept as the setting "build" by which a finished build is known again.
-  bmtModelSink(
+  vtkMTModelSink(
     vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds, const std::string& identity);
 
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTPlyVertices.h"
+
+#include "vtkMTPlyRows.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+vtkMTPlyVertices::vtkMTPlyVertices(const vtkMTPlyElement& element, std::uint64_t count, vtkPolyData* output)
+  : Element(element)
+  , Count(count)
+  , Columns(element, count)
+{
+  const std::vector<std::string> place = { "x", "y", "z" };
+  const vtkNew<vtkPoints> points;
+  points->SetData(this->Columns.Group(place, "Points", this->Columns.FindRealType(place)));
+  output->SetPoints(points);
+  vtkPointData* attributes = output->GetPointData();
+  const std::vector<std::string> normal = { "nx", "ny", "nz" };
+  attributes->SetNormals(this->Columns.Group(normal, "Normals", this->Columns.FindRealType(normal)));
+  this->Columns.AddColors(attributes);
+  const std::vector<std::vector<std::string>> pairs = { { "s", "t" }, { "u", "v" }, { "texture_u", "texture_v" },
+    { "texture_s", "texture_t" } };
+  for (const std::vector<std::string>& pair : pairs)
+  {
+    if (!attributes->GetTCoords())
+    {
+      attributes->SetTCoords(this->Columns.Group(pair, "TCoords", this->Columns.FindRealType(pair)));
+    }
+  }
+  this->Columns.AddOthers(attributes);
+}
+
+bool vtkMTPlyVertices::Read(vtkMTPlyRows& rows)
+{
+  for (std::uint64_t row = 0; row < this->Count; ++row)
+  {
+    if (!rows.BeginRow())
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
+    {
+      const vtkMTPlyProperty& property = this->Element.Properties[i];
+      double value = 0.0;
+      if (property.IsList() ? !rows.SkipProperty(property) : !rows.Read(property, value))
+      {
+        return false;
+      }
+      if (!property.IsList())
+      {
+        this->Columns.Store(i, row, value);
+      }
+    }
+    if (!rows.EndRow())
+    {
+      return false;
+    }
+  }
+  return true;
+}

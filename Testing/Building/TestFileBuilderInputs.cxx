@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkMultiTriangulationFileBuilder takes, and what comes of it: parts, volumes, terrain, models, arrays, textures.
+#include "MTFileBuilderTest.h"
+
+#include "vtkMTBuildError.h"
+#include "vtkMTBuildInput.h"
+#include "vtkMTFileBuildReport.h"
+#include "vtkMTFileSource.h"
+#include "vtkMTScratchStore.h"
+#include "vtkMTTriangleStream.h"
+
+#include "vtkPolyData.h"
+
+#include <cstdio>
+#include <set>
+
+class FileBuilderInputs : public MTFileBuilderTest
+{
+protected:
+  // Builds, and opens what was made.
+  void Build(vtkMultiTriangulationFileBuilder* builder)
+  {
+    builder->SetOutputFileName((this->Folder / "out.bmt").c_str());
+    std::string error;
+    ASSERT_EQ(builder->Write(), 1) << builder->GetErrorMessage();
+    ASSERT_TRUE(this->Model.Open(this->Folder / "out.bmt", error)) << error;
+  }
+
+  std::set<std::string> GetArrays() const
+  {
+    std::set<std::string> names;
+    for (const vtkMTArrayInfo& array : this->Model.GetGraph().Arrays)
+    {
+      names.insert(array.Name);
+    }
+    return names;
+  }
+
+  // A square with texture coordinates, colours and an image that it refers to.
+  void WriteSquare() const
+  {
+    MTIOTest::WriteFile(this->Folder / "square.ply",
+      std::string(
+        "ply\nformat ascii 1.0\ncomment TextureFile leaves.png\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float s\nproperty float t\nproperty uchar red\nproperty uchar green\n"
+        "property uchar blue\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 0 0 255 0 0\n1 0 0 1 0 0 255 0\n1 1 0 1 1 0 0 255\n0 1 0 0 1 9 9 9\n3 0 1 2\n3 0 2 3\n"));
+    MTIOTest::WriteFile(this->Folder / "leaves.png", std::string("\x89PNG\r\n\x1a\n") + std::string(300, 'x'));
+  }
+
+  // Squared distances from the middle of 20 by 20 by 20 samples.
+  void WriteVolume() const
+  {
+    std::string text = "# vtk DataFile Version 3.0\nvolume\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 20 20 20\n"
+                       "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8000\nSCALARS values float 1\nLOOKUP_TABLE default\n";
+    for (int i = 0; i < 8000; ++i)
+    {
+      const int x = i % 20 - 10;
+      const int y = i / 20 % 20 - 10;
+      const int z = i / 400 - 10;
+      text += std::to_string(x * x + y * y + z * z) + "\n";
+    }
+    MTIOTest::WriteFile(this->Folder / "volume.vtk", text);
+  }
+
+  vtkMTFileSource Model;
+};
+
+TEST_F(FileBuilderInputs, SeveralMeshesBecomeParts)
+{
+  this->MakeSphere(1280);
+  this->WriteSquare();
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->AddFileName((this->Folder / "sphere.ply").c_str());
+  builder->AddFileName((this->Folder / "square.ply").c_str());
+  ASSERT_EQ(builder->GetNumberOfFileNames(), 2);
+  EXPECT_EQ(builder->GetFileName(1), this->Folder / "square.ply");
+  EXPECT_EQ(builder->GetFileName(2), nullptr);
+  this->Build(builder);
+  EXPECT_EQ(this->Model.GetGraph().InputTriangles, 1282u);
+  EXPECT_EQ(this->GetArrays().count("PartId"), 1u);
+  const std::vector<vtkMTBuildInput::Part>& parts = builder->GetReport().Input.Parts;
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[1].Cells, 2u);
+  ASSERT_EQ(this->Model.GetGraph().Blobs.size(), 1u);
+  EXPECT_EQ(this->Model.GetGraph().Blobs[0].Properties.at("part"), "1");
+}
+
+TEST_F(FileBuilderInputs, TexturesAreBlobsByteForByte)
+{
+  this->WriteSquare();
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->SetFileName((this->Folder / "square.ply").c_str());
+  this->Build(builder);
+  ASSERT_EQ(this->Model.GetGraph().Blobs.size(), 1u);
+  EXPECT_EQ(this->Model.GetGraph().Blobs[0].Name, "leaves.png");
+  std::vector<unsigned char> bytes;
+  std::string error;
+  ASSERT_TRUE(this->Model.ReadBlob(0, bytes, error)) << error;
+  EXPECT_TRUE(bytes == MTIOTest::ReadFile(this->Folder / "leaves.png"));
+}
+
+TEST_F(FileBuilderInputs, OnlyTheNamedArraysAreKept)
+{
+  this->WriteSquare();
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->SetFileName((this->Folder / "square.ply").c_str());
+  builder->MakeNormalsOff();
+  this->Build(builder);
+  EXPECT_EQ(this->GetArrays(), (std::set<std::string>{ "RGB", "TCoords", "vtkMTInputCellIds" }));
+  builder->AddArrayName("TCoords");
+  builder->KeepIdsOff();
+  this->Build(builder);
+  EXPECT_EQ(this->GetArrays(), std::set<std::string>{ "TCoords" });
+  builder->RemoveAllArrayNames();
+  this->Build(builder);
+  EXPECT_TRUE(this->GetArrays().empty());
+  builder->KeepAllArraysOn();
+  this->Build(builder);
+  EXPECT_EQ(this->GetArrays(), (std::set<std::string>{ "RGB", "TCoords" }));
+}
+
+TEST_F(FileBuilderInputs, AVolumeNeedsAnIsoValue)
+{
+  this->WriteVolume();
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->SetFileName((this->Folder / "volume.vtk").c_str());
+  builder->SetOutputFileName((this->Folder / "out.bmt").c_str());
+  Events events;
+  Observe(builder, events);
+  EXPECT_EQ(builder->Write(), 0);
+  EXPECT_EQ(builder->GetErrorCode(), vtkMultiTriangulationFileBuilder::IsoValueError);
+  builder->SetIsoValue(60.0);
+  this->Build(builder);
+  double bounds[6];
+  this->Model.GetGraph().GetBounds(bounds);
+  EXPECT_NEAR(bounds[1] - bounds[0], 2.0 * std::sqrt(60.0), 0.1);
+  std::printf("%llu triangles\n", static_cast<unsigned long long>(this->Model.GetGraph().InputTriangles));
+  EXPECT_TRUE(builder->GetReport().Input.IsStreamed);
+  builder->GradientNormalsOn();
+  this->Build(builder);
+  EXPECT_FALSE(builder->GetReport().Input.IsStreamed);
+}
+
+TEST_F(FileBuilderInputs, AModelIsItsFinestLevel)
+{
+  this->MakeSphere(5120);
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  this->Configure(builder, "first.bmt");
+  ASSERT_EQ(builder->Write(), 1) << builder->GetErrorMessage();
+  builder->SetFileName((this->Folder / "first.bmt").c_str());
+  this->Build(builder);
+  EXPECT_EQ(this->Model.GetGraph().InputTriangles, 5120u);
+}
+
+TEST_F(FileBuilderInputs, NoPointMovesByMoreThanThePrecision)
+{
+  this->MakeSphere(5120);
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  this->Configure(builder);
+  for (const double precision : { 1e-2, 1e-5, 1e-8 })
+  {
+    builder->SetPrecision(precision);
+    this->Build(builder);
+    const double shift = this->Model.GetGraph().Lattice.MaximumShift;
+    std::printf("precision %g: largest shift %g\n", precision, shift);
+    EXPECT_LE(shift, precision);
+    EXPECT_GT(8.0 * shift, precision) << "bits are not wasted";
+  }
+}
+
+TEST_F(FileBuilderInputs, WarningsOfTheBuilderAreItsOwn)
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 10003\nproperty double x\nproperty double y\n"
+                     "property double z\nelement face 9999\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = 0; i < 10000; ++i)
+  {
+    text += std::to_string(i % 100) + " " + std::to_string(i / 100) + " " + std::to_string(i % 7) + "\n";
+  }
+  text += "1e30 0 0\n1e30 1 0\n1e30 0 1\n";
+  for (int i = 0; i < 9998; ++i)
+  {
+    text += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string((i + 100) % 10000) + "\n";
+  }
+  MTIOTest::WriteFile(this->Folder / "far.ply", text + "3 10000 10001 10002\n");
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->SetFileName((this->Folder / "far.ply").c_str());
+  Events events;
+  Observe(builder, events);
+  this->Build(builder);
+  ASSERT_EQ(events.Warnings.size(), 1u);
+  EXPECT_NE(events.Warnings[0].find("far outlier"), std::string::npos) << events.Warnings[0];
+}
+
+TEST_F(FileBuilderInputs, ReadWholeIsWhatIsRead)
+{
+  this->MakeSphere(1280);
+  vtkMTInputSettings settings;
+  settings.Paths = { this->Folder / "sphere.ply" };
+  vtkMTBuildInput input(settings);
+  const vtkNew<vtkPolyData> mesh;
+  vtkMTBuildError error;
+  ASSERT_TRUE(input.Read(mesh, error)) << error.Message;
+  EXPECT_FALSE(input.GetResult().IsStreamed);
+  vtkMTScratchStore scratch(this->Folder / "");
+  const auto stream = input.Open(scratch, 1 << 30, error);
+  ASSERT_TRUE(stream) << error.Message;
+  EXPECT_TRUE(input.GetResult().IsStreamed);
+  EXPECT_EQ(stream->GetNumberOfPoints(), static_cast<std::uint64_t>(mesh->GetNumberOfPoints()));
+  EXPECT_EQ(stream->GetNumberOfTriangles(), static_cast<std::uint64_t>(mesh->GetNumberOfPolys()));
+  // Between files it can be stopped.
+  vtkMTBuildInput stopped(settings, [] { return false; });
+  EXPECT_FALSE(stopped.Read(mesh, error));
+  EXPECT_EQ(error.Code, vtkMultiTriangulationFileBuilder::AbortError);
+}
