@@ -16,8 +16,7 @@ vtkMTView vtkMTRendererView::Make(vtkRenderer* renderer, const double modelToWor
   vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(), modelToWorld, modelToEye.data());
   const double* projection = camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)->GetData();
   const int* size = renderer->GetSize();
-  vtkMTView view =
-    vtkMTView::FromProjection(modelToEye, projection, { size[0], size[1] }, camera->GetClippingRange());
+  vtkMTView view = vtkMTView::FromProjection(modelToEye, projection, { size[0], size[1] }, camera->GetClippingRange());
   if (vtkMTRendererView::IsStereo(renderer))
   {
     const double spread = std::tan(camera->GetEyeAngle() * 3.14159265358979323846 / 360.0);
