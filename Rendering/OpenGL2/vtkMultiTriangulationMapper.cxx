@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTRendererView.h"
+#include "vtkMTSetMacros.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapperInternals.h"
@@ -31,6 +32,9 @@ vtkMultiTriangulation* GetModel(vtkDataObject* input)
 }
 
 vtkStandardNewMacro(vtkMultiTriangulationMapper);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, PixelError, 0.0, 1e9);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, CutTimeLimit, 0.0, 1e9);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, DrawingRate, 0.0, 1e15);
 
 //------------------------------------------------------------------------------
 vtkMultiTriangulationMapper::vtkMultiTriangulationMapper()
@@ -67,14 +71,14 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
   os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
   os << indent << "DrawingRate: " << this->DrawingRate << "\n";
-  os << indent << "Triangles: " << this->Triangles << "\n";
-  os << indent << "Patches: " << this->Patches << "\n";
-  os << indent << "CulledPatches: " << this->CulledPatches << "\n";
-  os << indent << "CulledTriangles: " << this->CulledTriangles << "\n";
-  os << indent << "FacingAwayPatches: " << this->FacingAwayPatches << "\n";
-  os << indent << "FacingAwayTriangles: " << this->FacingAwayTriangles << "\n";
+  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
+  os << indent << "NumberOfCulledPatches: " << this->NumberOfCulledPatches << "\n";
+  os << indent << "NumberOfCulledTriangles: " << this->NumberOfCulledTriangles << "\n";
+  os << indent << "NumberOfFacingAwayPatches: " << this->NumberOfFacingAwayPatches << "\n";
+  os << indent << "NumberOfFacingAwayTriangles: " << this->NumberOfFacingAwayTriangles << "\n";
   os << indent << "Loading: " << this->Loading << "\n";
-  os << indent << "RefinedNodes: " << this->RefinedNodes << "\n";
+  os << indent << "NumberOfRefinedNodes: " << this->NumberOfRefinedNodes << "\n";
   os << indent << "AchievedPixelError: " << this->AchievedPixelError << "\n";
   os << indent << "Converged: " << this->Converged << "\n";
   os << indent << "CutTime: " << this->CutTime << "\n";
@@ -369,13 +373,13 @@ void vtkMultiTriangulationMapper::UpdateCut(vtkRenderer* renderer, vtkActor* act
   this->NumberOfCuts += self.Cut != before;
   this->UpdateOrigin(renderer, actor);
 
-  this->Triangles = static_cast<vtkIdType>(self.Cut->Triangles);
-  this->Patches = static_cast<vtkIdType>(self.Cut->Arcs.size());
-  this->CulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
-  this->CulledTriangles = static_cast<vtkIdType>(self.Cut->TrianglesCulled);
-  this->FacingAwayPatches = static_cast<vtkIdType>(self.Cut->ArcsFacingAway);
-  this->FacingAwayTriangles = static_cast<vtkIdType>(self.Cut->TrianglesFacingAway);
-  this->RefinedNodes = static_cast<vtkIdType>(self.Cut->NodesRefined);
+  this->NumberOfTriangles = static_cast<vtkIdType>(self.Cut->Triangles);
+  this->NumberOfPatches = static_cast<vtkIdType>(self.Cut->Arcs.size());
+  this->NumberOfCulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
+  this->NumberOfCulledTriangles = static_cast<vtkIdType>(self.Cut->TrianglesCulled);
+  this->NumberOfFacingAwayPatches = static_cast<vtkIdType>(self.Cut->ArcsFacingAway);
+  this->NumberOfFacingAwayTriangles = static_cast<vtkIdType>(self.Cut->TrianglesFacingAway);
+  this->NumberOfRefinedNodes = static_cast<vtkIdType>(self.Cut->NodesRefined);
   this->Loading = !self.Cut->OnTarget;
   this->AchievedPixelError = self.Cut->PixelError;
   this->Converged = self.Cut->Converged;

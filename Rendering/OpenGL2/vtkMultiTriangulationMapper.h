@@ -52,10 +52,11 @@ public:
 
   ///@{
   /**
-   * How far, in pixels, the picture of the surface may be from that of the input. Default 1; clamped to [0, 1e9]. At 0
-   * everything that can be seen and deviates from the input at all is drawn as finely as it is stored.
+   * How far, in pixels, the picture of the surface may be from that of the input. Default 1; clamped to [0, 1e9]; NaN
+   * is refused with an error event. At 0 everything that can be seen and deviates from the input at all is drawn as
+   * finely as it is stored.
    */
-  vtkSetClampMacro(PixelError, double, 0.0, 1e9);
+  void SetPixelError(double pixels);
   vtkGetMacro(PixelError, double);
   ///@}
 
@@ -101,9 +102,9 @@ public:
   ///@{
   /**
    * Seconds after which a frame that does not wait stops looking for a better cut and draws the one that it has. 0 is
-   * no limit; default 0.01; negative values are clamped to 0.
+   * no limit; default 0.01; clamped to [0, 1e9]; NaN is refused with an error event.
    */
-  vtkSetClampMacro(CutTimeLimit, double, 0.0, 1e9);
+  void SetCutTimeLimit(double seconds);
   vtkGetMacro(CutTimeLimit, double);
   ///@}
 
@@ -218,7 +219,7 @@ public:
    * for 0.0001 frames per second, and without one that is what a window asks for anyway, so then there is all the time
    * that PixelError needs; a picture depends on the clock only where a frame rate is asked for and nothing is set here.
    */
-  vtkSetClampMacro(DrawingRate, double, 0.0, 1e15);
+  void SetDrawingRate(double trianglesPerSecond);
   vtkGetMacro(DrawingRate, double);
   /// What budgets are made of now, measured or set; 0 while nothing has been measured.
   double GetCurrentDrawingRate();
@@ -230,17 +231,17 @@ public:
    * input would put it, whatever ErrorMetric says; it is infinite where the camera is closer to the surface than the
    * error. Converged: nothing that can be seen is above PixelError. Loading: the picture is not yet what the settings
    * ask for, so another frame may be a better one; it stays so where PatchMemoryLimit has no room for what is missing.
-   * CulledPatches and CulledTriangles were left out for being outside the frustum, FacingAwayPatches and
-   * FacingAwayTriangles for being seen from behind. Times are seconds: CutTime of the last new cut; FrameTime of the
+   * NumberOfTriangles and NumberOfPatches were drawn. The culled ones were left out for being outside the frustum,
+   * those facing away for being seen from behind. Times are seconds: CutTime of the last new cut; FrameTime of the
    * mapper's part of the frame, reading and upload included, until the last command was given to OpenGL.
    */
-  vtkGetMacro(Triangles, vtkIdType);
-  vtkGetMacro(Patches, vtkIdType);
-  vtkGetMacro(CulledPatches, vtkIdType);
-  vtkGetMacro(CulledTriangles, vtkIdType);
-  vtkGetMacro(FacingAwayPatches, vtkIdType);
-  vtkGetMacro(FacingAwayTriangles, vtkIdType);
-  vtkGetMacro(RefinedNodes, vtkIdType);
+  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  vtkGetMacro(NumberOfPatches, vtkIdType);
+  vtkGetMacro(NumberOfCulledPatches, vtkIdType);
+  vtkGetMacro(NumberOfCulledTriangles, vtkIdType);
+  vtkGetMacro(NumberOfFacingAwayPatches, vtkIdType);
+  vtkGetMacro(NumberOfFacingAwayTriangles, vtkIdType);
+  vtkGetMacro(NumberOfRefinedNodes, vtkIdType);
   vtkGetMacro(AchievedPixelError, double);
   vtkGetMacro(Converged, bool);
   vtkGetMacro(Loading, bool);
@@ -374,13 +375,13 @@ private:
   vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
   double DrawingRate = 0.0;
 
-  vtkIdType Triangles = 0;
-  vtkIdType Patches = 0;
-  vtkIdType CulledPatches = 0;
-  vtkIdType CulledTriangles = 0;
-  vtkIdType FacingAwayPatches = 0;
-  vtkIdType FacingAwayTriangles = 0;
-  vtkIdType RefinedNodes = 0;
+  vtkIdType NumberOfTriangles = 0;
+  vtkIdType NumberOfPatches = 0;
+  vtkIdType NumberOfCulledPatches = 0;
+  vtkIdType NumberOfCulledTriangles = 0;
+  vtkIdType NumberOfFacingAwayPatches = 0;
+  vtkIdType NumberOfFacingAwayTriangles = 0;
+  vtkIdType NumberOfRefinedNodes = 0;
   double AchievedPixelError = 0.0;
   bool Converged = false;
   bool Loading = false;

@@ -74,9 +74,9 @@ void vtkMultiTriangulationMapper::MeasureRate(vtkActor* actor)
   {
     return;
   }
-  if (this->Triangles > FewTriangles && self.DrawSeconds > 0.0)
+  if (this->NumberOfTriangles > FewTriangles && self.DrawSeconds > 0.0)
   {
-    const double rate = static_cast<double>(this->Triangles) / self.DrawSeconds;
+    const double rate = static_cast<double>(this->NumberOfTriangles) / self.DrawSeconds;
     self.MeasuredRate = self.MeasuredRate > 0.0 ? 0.75 * self.MeasuredRate + 0.25 * rate : rate;
   }
   self.DrawSeconds = 0.0;
