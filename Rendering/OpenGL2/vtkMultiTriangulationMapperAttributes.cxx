@@ -236,10 +236,10 @@ void vtkMultiTriangulationMapper::UpdateCellTextures(vtkRenderer* renderer)
 {
   Internals& self = *this->Implementation;
   const auto values = static_cast<unsigned int>(
-    self.Arena.GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
+    self.Painter->GetArena().GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
   const auto update = [&](vtkTextureObject*& texture, const char* stream, int type)
   {
-    vtkOpenGLBufferObject* buffer = self.Arena.GetBuffer(stream);
+    vtkOpenGLBufferObject* buffer = self.Painter->GetArena().GetBuffer(stream);
     if (!buffer || buffer->GetHandle() == 0)
     {
       return false;

@@ -21,7 +21,7 @@ vtkMTTargetCut::Result Extract(const vtkMTGraph& graph, const vtkMTView& view, c
   vtkMTTargetCut extraction;
   vtkMTTargetCut::Input input;
   input.Graph = &graph;
-  input.View = &view;
+  input.Views = { view };
   return extraction.Extract(input, settings);
 }
 
@@ -203,7 +203,7 @@ TEST(ExtractionView, KeptCutIsShownAsItWasExtracted)
     settings.PixelError = 0.5;
     vtkMTTargetCut::Input input;
     input.Graph = &graph;
-    input.View = &view;
+    input.Views = { view };
     const auto result = extraction.Extract(input, settings);
     const auto shown = extraction.View(result.Cut, input, settings);
     EXPECT_EQ(shown.Arcs, result.Arcs);
