@@ -173,9 +173,8 @@ bool vtkMTFrame::UploadCut()
   }
   this->UploadEarlyPatches();
   const bool uploaded = this->IsUploaded();
-  if (complete && this->Cut->NodesRefined > 0 && !uploaded)
+  if (complete && !uploaded && this->DrawLess())
   {
-    this->DrawLess();
     return false;
   }
   this->Current->AllThere = this->Cut->OnTarget && uploaded ? this->GetState() : State();
@@ -213,12 +212,7 @@ bool vtkMTFrame::BringPatch(std::size_t index, bool& complete)
   const std::uint32_t arc = this->Cut->Arcs[index];
   if (!this->Uploader->Reserve(arc))
   {
-    if (this->Cut->NodesRefined > 0)
-    {
-      this->DrawLess();
-      return false;
-    }
-    return true;
+    return !this->DrawLess();
   }
   if (this->Uploader->IsUploaded(arc))
   {
@@ -284,11 +278,17 @@ bool vtkMTFrame::IsUploaded() const
 }
 
 // The patches of the cut leave more gaps on the GPU than the limit on bytes allows for. The second time with fewer of
-// them; the first time the gaps may have been closed by dropping everything.
-void vtkMTFrame::DrawLess()
+// them; the first time the gaps may have been closed by dropping everything. False where there is no smaller cut.
+bool vtkMTFrame::DrawLess()
 {
   const std::uint64_t now = std::max<std::uint64_t>(this->Cut->Triangles, 2);
-  this->LessTriangles = this->LessTriangles == 0 ? now : now - std::max<std::uint64_t>(now / 8, 1);
+  const std::uint64_t less = this->LessTriangles == 0 ? now : now - std::max<std::uint64_t>(now / 8, 1);
+  if (this->Cut->NodesRefined == 0 || less == this->LessTriangles)
+  {
+    return false;
+  }
+  this->LessTriangles = less;
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -137,7 +137,7 @@ private:
   void BeginUpload();
   void UploadEarlyPatches();
   bool IsUploaded() const;
-  void DrawLess();
+  bool DrawLess();
   bool GiveUp(std::uint32_t arc);
   void NoteFailures();
 

@@ -42,7 +42,7 @@ public:
   /**
    * Begins a frame that draws these arcs, ascending. `kept` are those that other views draw: there should be room for
    * them as well, and they go after anything else but `drawn`. All buffers together never take more bytes than the
-   * limit; what does not fit is refused by Reserve.
+   * limit; what does not fit is refused by Reserve. The coarsest patches take no more than the limit and always fit.
    */
   virtual void Begin(
     const std::vector<std::uint32_t>& drawn, const std::vector<std::uint32_t>& kept, std::uint64_t limit) = 0;
