@@ -74,7 +74,10 @@ vtkMTWindowPainters::vtkMTWindowPainters() = default;
 
 vtkMTWindowPainters::~vtkMTWindowPainters()
 {
-  this->Release(nullptr);
+  for (const std::unique_ptr<Entry>& entry : this->Entries)
+  {
+    entry->Release();
+  }
 }
 
 // An entry whose window is gone holds nothing and serves the next one.
@@ -148,7 +151,7 @@ void vtkMTWindowPainters::Release(vtkWindow* window)
 {
   for (const std::unique_ptr<Entry>& entry : this->Entries)
   {
-    if (!window || entry->Window == window)
+    if (window && entry->Window == window)
     {
       entry->Release();
     }

@@ -39,7 +39,8 @@ public:
 
   /// Drops all patches; buffers stay.
   void Clear();
-  /// Releases a window's resources, or, with null, those of all. Makes the context current that it needs.
+  /// Releases a window's resources; makes its context current for that. VTK says null where a renderer has no window
+  /// any more: then nothing is released.
   void Release(vtkWindow* window);
 
   ///@{

@@ -119,22 +119,26 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-// VTK gives a mapper the resources of one window at a time, and takes them when another window draws it.
+// VTK gives a mapper the resources of one window at a time, and takes them when another window draws it. Then, and when
+// the superclass releases what it has in whatever window drew last, the patches stay.
 void vtkMultiTriangulationMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
-  this->Implementation->ChangesWindow = true;
+  this->Implementation->KeepsPatches = true;
   this->Superclass::RenderPiece(renderer, actor);
-  this->Implementation->ChangesWindow = false;
+  this->Implementation->KeepsPatches = false;
 }
 
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (!this->Implementation->ChangesWindow)
+  const bool keepsPatches = this->Implementation->KeepsPatches;
+  if (!keepsPatches)
   {
     this->Implementation->Painters.Release(window);
   }
+  this->Implementation->KeepsPatches = true;
   this->Superclass::ReleaseGraphicsResources(window);
+  this->Implementation->KeepsPatches = keepsPatches;
 }
 
 //------------------------------------------------------------------------------

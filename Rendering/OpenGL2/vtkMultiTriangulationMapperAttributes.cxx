@@ -142,7 +142,6 @@ void vtkMultiTriangulationMapper::UpdateColorRevision()
   self.NewColorState.Clear();
   self.NewColorState.Append(self.Plan.Coloring, "coloring");
   self.NewColorState.Append(self.Plan.Scalars, "array");
-  self.NewColorState.Append(self.Plan.PrimitivesPerTriangle, "primitives");
   self.NewColorState.Append(this->ArrayComponent, "component");
   self.NewColorState.Append(this->ColorMode, "color mode");
   self.NewColorState.Append(this->LookupTable, "table");

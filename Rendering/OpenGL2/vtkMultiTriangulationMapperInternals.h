@@ -33,7 +33,7 @@ struct vtkMultiTriangulationMapper::Internals
   vtkMTDrawingRate Rate;
   vtkMTWindowPainters Painters;
   vtkMTTrianglePainter* Painter = nullptr; // of the window that is being drawn
-  bool ChangesWindow = false;              // VTK has the mapper released because another window draws it
+  bool KeepsPatches = false;               // where the superclass's resources are released
   bool DrewPatches = false;
 
   vtkMTPatchStreams::Plan Plan;

@@ -125,10 +125,10 @@ TEST(MapperSharing, TwoActorsInARendererHaveTheirOwnCuts)
 {
   const auto mapper = MakeMapper();
   MTScene scene(mapper);
-  vtkNew<vtkActor> far;
-  far->SetMapper(mapper);
-  far->SetPosition(0.0, 6.0, 0.0);
-  scene.Renderer->AddActor(far);
+  vtkNew<vtkActor> other;
+  other->SetMapper(mapper);
+  other->SetPosition(0.1, 0.2, -0.1);
+  scene.Renderer->AddActor(other);
   LookAtCorner(scene.Renderer, false);
   scene.Render();
   EXPECT_EQ(mapper->GetNumberOfCuts(), 2);
