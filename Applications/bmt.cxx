@@ -5,6 +5,8 @@
  */
 #include "bmtCommon.h"
 
+#include "vtkMTVersion.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -16,7 +18,7 @@ namespace
 void DescribeCommands(CLI::App& app, bmtContext& context)
 {
   app.set_help_flag("-h,--help", "Print this help and exit");
-  app.set_version_flag("--version", "bmt " BMT_VERSION);
+  app.set_version_flag("--version", std::string("bmt ") + vtkMTVersion::GetVersion());
   app.require_subcommand(1);
   app.footer(
     "Exit code: 0 success, 1 failure or a check that did not pass, 2 wrong usage, 130 interrupted.\n"

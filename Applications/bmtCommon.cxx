@@ -100,28 +100,24 @@ void bmtInterruptWatch::Watch(double patience, const std::function<std::string()
 //------------------------------------------------------------------------------
 // Messages
 
-namespace
-{
 // VTK says "ERROR: In file.cxx, line 1\nvtkClass (0x...): what\n\n": what it says in the end is enough for a person.
-std::string GetEssence(const char* text)
+std::string bmtGetEssence(const std::string& text)
 {
-  std::string essence(text);
-  const std::size_t object = essence.find("): ");
-  if (object != std::string::npos)
-  {
-    essence = essence.substr(object + 3);
-  }
+  const std::size_t object = text.find("): ");
+  std::string essence = object == std::string::npos ? text : text.substr(object + 3);
   std::replace(essence.begin(), essence.end(), '\n', ' ');
   const std::size_t last = essence.find_last_not_of(' ');
   return essence.substr(0, last == std::string::npos ? 0 : last + 1);
 }
 
+namespace
+{
 class OutputWindow : public vtkOutputWindow
 {
 public:
   static OutputWindow* New();
   vtkTypeMacro(OutputWindow, vtkOutputWindow);
-  void DisplayText(const char* text) override { bmtWarn(GetEssence(text)); }
+  void DisplayText(const char* text) override { bmtWarn(bmtGetEssence(text)); }
 
 protected:
   OutputWindow() { this->SetDisplayModeToNever(); }

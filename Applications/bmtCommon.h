@@ -106,6 +106,9 @@ private:
 /// VTK's errors and warnings go to standard error in the form of all other messages: one line each, "bmt: ...".
 void bmtInstallOutputWindow();
 
+/// What an error or warning of VTK says, without its place in the sources.
+std::string bmtGetEssence(const std::string& text);
+
 /// Says something that is no error on standard error.
 void bmtWarn(const std::string& text);
 

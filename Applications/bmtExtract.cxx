@@ -2,13 +2,15 @@
 #include "bmtCommon.h"
 #include "bmtModel.h"
 
-#include "vtkMTCut.h"
 #include "vtkMTGraph.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTTargetCut.h"
 #include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationCutFilter.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -34,51 +36,48 @@ struct Options
   CLI::Option* HasLevel = nullptr;
 };
 
-vtkMTCut ChooseCut(const vtkMTGraph& graph, const Options& options)
+// What VTK reports goes into the one message of the command.
+class ErrorText
 {
-  vtkMTTargetCut extraction;
-  vtkMTCut cut(graph);
-  std::string message;
-  bool found = false;
+public:
+  explicit ErrorText(vtkObject* object)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<ErrorText*>(self)->Text = static_cast<const char*>(text); });
+    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  std::string Text;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+void ChooseCut(const Options& options, vtkMultiTriangulationCutFilter* filter)
+{
   if (options.HasTriangles->count() > 0)
   {
-    found = extraction.ByTriangles(graph, options.Triangles, cut, message);
+    filter->SetTriangleLimit(static_cast<vtkIdType>(std::min<std::uint64_t>(options.Triangles, VTK_ID_MAX)));
   }
   else if (options.HasError->count() > 0)
   {
-    found = extraction.ByError(graph, options.Error, cut, message);
+    filter->SetError(options.Error);
   }
   else
   {
-    found = vtkMTTargetCut::ByLevel(graph, options.Level, cut, message);
+    filter->SetLevel(static_cast<int>(std::min<std::uint32_t>(options.Level, VTK_INT_MAX)));
   }
-  if (!found)
-  {
-    throw bmtError(options.File + ": " + message);
-  }
-  return cut;
 }
 
-bmtJson DescribeCut(const vtkMTGraph& graph, const vtkMTCut& cut)
+bmtJson DescribeCut(vtkMultiTriangulationCutFilter* filter)
 {
   bmtJson json;
-  std::uint32_t finest = ~std::uint32_t(0);
-  std::uint32_t coarsest = 0;
-  for (std::uint32_t arc : cut.GetArcs())
-  {
-    finest = std::min(finest, graph.GetLevelOfArc(arc));
-    coarsest = std::max(coarsest, graph.GetLevelOfArc(arc));
-  }
-  json["triangles"] = cut.GetNumberOfTriangles();
-  json["patches"] = cut.GetNumberOfArcs();
-  // The input's own coordinates have no error.
-  const bool isExact = coarsest == 0 &&
-    std::any_of(graph.Arrays.begin(), graph.Arrays.end(),
-      [](const vtkMTArrayInfo& array) { return array.Role == vtkMTArrayInfo::ExactPoints; });
-  json["error"] = isExact ? 0.0 : cut.GetError();
-  json["exact"] = isExact;
-  json["finest_level"] = finest;
-  json["coarsest_level"] = coarsest;
+  json["triangles"] = filter->GetNumberOfTriangles();
+  json["patches"] = filter->GetNumberOfPatches();
+  json["error"] = filter->GetCutError();
+  json["exact"] = filter->GetExact();
+  json["finest_level"] = filter->GetFinestLevel();
+  json["coarsest_level"] = filter->GetCoarsestLevel();
   return json;
 }
 
@@ -136,22 +135,39 @@ bmtJson ExtractBlobs(const vtkMTPatchSource& source, const std::string& folder)
   return list;
 }
 
-bmtJson ExtractCut(const Options& options, const vtkMTPatchSource& source)
+bmtJson ExtractCut(const Options& options, const std::shared_ptr<const vtkMTPatchSource>& source)
 {
   bmtRequireWritable(options.Output);
   bmtRequireMeshEnding(options.Output);
-  const vtkMTCut cut = ChooseCut(source.GetGraph(), options);
-  vtkNew<vtkPolyData> mesh;
-  std::string error;
-  if (!vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error))
+  vtkNew<vtkMultiTriangulation> model;
+  const ErrorText modelErrors(model);
+  if (!model->SetSource(source))
   {
-    throw bmtError(error);
+    throw bmtError(options.File + ": " + bmtGetEssence(modelErrors.Text));
   }
+  vtkNew<vtkMultiTriangulationCutFilter> filter;
+  const ErrorText filterErrors(filter);
+  const ErrorText pipelineErrors(filter->GetExecutive());
+  filter->SetInputData(model);
+  ChooseCut(options, filter);
+  vtkNew<vtkCallbackCommand> interruption;
+  interruption->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(bmtIsInterrupted() ? 1 : 0); });
+  filter->AddObserver(vtkCommand::ProgressEvent, interruption);
+  filter->Update();
   bmtThrowIfInterrupted();
+  if (filter->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    const std::string message = filter->GetErrorMessage();
+    const bool namesFile = message.compare(0, options.File.size(), options.File) == 0;
+    throw bmtError((namesFile ? "" : options.File + ": ") + message);
+  }
+  vtkPolyData* mesh = filter->GetOutput();
   const std::vector<std::string> dropped = bmtWriteMesh(options.Output, mesh);
   bmtJson result;
   result["output"] = options.Output;
-  result.update(DescribeCut(source.GetGraph(), cut));
+  result.update(DescribeCut(filter));
   result["points"] = mesh->GetNumberOfPoints();
   result["dropped_arrays"] = dropped;
   return result;
@@ -185,7 +201,7 @@ bmtJson Extract(const Options& options)
   bmtJson result = bmtJson::object();
   if (hasCut)
   {
-    result = ExtractCut(options, *source);
+    result = ExtractCut(options, source);
   }
   if (!options.BlobFolder.empty())
   {

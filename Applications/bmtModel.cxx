@@ -115,14 +115,14 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   graph.GetBounds(bounds);
   const vtkMTGraph::Conditioning conditioning = graph.GetConditioning();
   bmtJson json;
-  json["triangles"] = graph.InputTriangles;
+  json["triangles"] = graph.InputCounts.Triangles;
   json["stored_triangles"] = graph.GetNumberOfFinestTriangles();
   json["nodes"] = graph.Nodes.size();
   json["patches"] = graph.Arcs.size();
   json["levels"] = graph.GetNumberOfLevels();
   json["bytes"] = bytes;
   json["bytes_per_triangle"] =
-    graph.InputTriangles > 0 ? static_cast<double>(bytes) / static_cast<double>(graph.InputTriangles) : 0.0;
+    graph.InputCounts.Triangles > 0 ? static_cast<double>(bytes) / static_cast<double>(graph.InputCounts.Triangles) : 0.0;
   json["bounds"] = std::vector<double>(bounds, bounds + 6);
   json["arrays"] = DescribeArrays(graph.Arrays);
   json["partition"] = GetStrategy(graph, "partition");

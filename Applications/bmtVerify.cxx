@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtCertifier.h"
 #include "bmtCommon.h"
 #include "bmtInput.h"
 #include "bmtModel.h"
-#include "bmtStructure.h"
 
-#include "vtkMTCut.h"
-#include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTRandomCut.h"
+#include "vtkMTPolyDataStream.h"
+#include "vtkMultiTriangulationVerifier.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <memory>
 
 namespace
@@ -21,89 +22,164 @@ struct Options
 {
   std::string File;
   bmtInput Input;
-  std::size_t Cuts = 100;
+  int Cuts = 100;
   std::uint32_t Seed = 1;
-  std::size_t Samples = 500000;
+  int Samples = 500000;
 };
 
-// Random cuts that are measured against the input, beside one for every level: each costs a search structure.
-constexpr std::size_t MeasuredCuts = 8;
-
-bool AreAllOk(const std::vector<bmtCheck>& checks)
+bmtJson DescribeCheck(
+  const std::string& name, std::uint64_t tested, std::uint64_t violations, double worst, const std::string& message)
 {
-  return std::all_of(checks.begin(), checks.end(), [](const bmtCheck& check) { return check.IsOk(); });
+  bmtJson json;
+  json["name"] = name;
+  json["ok"] = violations == 0;
+  json["tested"] = tested;
+  json["violations"] = violations;
+  json["worst"] = worst;
+  if (!message.empty())
+  {
+    json["message"] = message;
+  }
+  return json;
 }
 
-void CertifyErrors(
-  const vtkMTPatchSource& source, const Options& options, std::vector<bmtCheck>& checks, bmtJson& result)
+bmtJson DescribeChecks(vtkTable* checks)
 {
-  const vtkMTGraph& graph = source.GetGraph();
-  bmtCertifier certifier(source, bmtReadSurface(options.Input), options.Samples, options.Seed);
-  for (std::uint32_t level = graph.GetNumberOfLevels(); level-- > 0;)
+  bmtJson json = bmtJson::array();
+  for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
   {
-    certifier.TestLevel(level);
+    json.push_back(DescribeCheck(checks->GetValueByName(row, "name").ToString(),
+      checks->GetValueByName(row, "tested").ToUnsignedLongLong(),
+      checks->GetValueByName(row, "violations").ToUnsignedLongLong(), checks->GetValueByName(row, "worst").ToDouble(),
+      checks->GetValueByName(row, "message").ToString()));
   }
-  for (std::size_t i = 0; i < std::min(options.Cuts, MeasuredCuts); ++i)
-  {
-    certifier.TestCut(vtkMTRandomCut::Make(graph, options.Seed, i), "random cut " + std::to_string(i));
-  }
-  checks.push_back(certifier.GetPatchToInput());
-  checks.push_back(certifier.GetInputToCut());
-  result["certified_over_sampled"] = certifier.GetTightness();
-  result["measured_cuts"] = certifier.GetNumberOfCuts();
-  result["tolerance"] = certifier.GetTolerance();
-  result["skipped_input_triangles"] = certifier.GetSkipped();
+  return json;
 }
 
-// What is wrong with the file keeps it from being opened; the report says so in the same form as for any other damage.
-bool FindDamage(const Options& options, std::shared_ptr<const vtkMTPatchSource>& source, std::vector<bmtCheck>& checks)
+bmtJson DescribeSpans(vtkTable* spans)
 {
-  if (!bmtIsModel(options.File))
+  std::uint64_t wide = 0;
+  bmtJson counts = bmtJson::object();
+  for (vtkIdType row = 0; row < spans->GetNumberOfRows(); ++row)
   {
-    source = bmtOpenModel(options.File); // throws what is wrong
-    return false;
+    const std::uint64_t cuts = spans->GetValueByName(row, "cuts").ToUnsignedLongLong();
+    const int levels = spans->GetValueByName(row, "levels").ToInt();
+    wide += levels >= 3 ? cuts : 0;
+    counts[std::to_string(levels)] = cuts;
   }
+  bmtJson json;
+  json["three_levels_or_more"] = wide;
+  json["cuts_by_levels_spanned"] = counts;
+  return json;
+}
+
+bmtJson DescribeTightness(vtkTable* levels)
+{
+  bmtJson json = bmtJson::object();
+  for (vtkIdType row = 0; row < levels->GetNumberOfRows(); ++row)
+  {
+    bmtJson& entry = json[levels->GetValueByName(row, "level").ToString()];
+    entry["median"] = levels->GetValueByName(row, "median").ToDouble();
+    entry["worst"] = levels->GetValueByName(row, "worst").ToDouble();
+    entry["n"] = levels->GetValueByName(row, "nodes").ToUnsignedLongLong();
+  }
+  return json;
+}
+
+bmtJson Describe(vtkMultiTriangulationVerifier* verifier)
+{
+  bmtJson json;
+  json["ok"] = verifier->IsValid();
+  json["checks"] = DescribeChecks(verifier->GetChecks());
+  if (verifier->GetChecks()->GetNumberOfRows() > 4) // the model by itself was sound, so there were cuts
+  {
+    json["spans"] = DescribeSpans(verifier->GetSpans());
+  }
+  if (verifier->GetCertified())
+  {
+    json["certified_over_sampled"] = DescribeTightness(verifier->GetTightness());
+    json["measured_cuts"] = verifier->GetNumberOfMeasuredCuts();
+    json["tolerance"] = verifier->GetTolerance();
+    json["skipped_input_triangles"]["not_finite"] = verifier->GetNumberOfNonFiniteTriangles();
+    json["skipped_input_triangles"]["index_out_of_range"] = verifier->GetNumberOfOutOfRangeTriangles();
+    json["skipped_input_triangles"]["degenerate"] = verifier->GetNumberOfDegenerateTriangles();
+    json["skipped_input_triangles"]["far_outlier"] = verifier->GetNumberOfFarOutliers();
+  }
+  return json;
+}
+
+// The file as an unsound model: what is wrong with it keeps it from being opened, and the report says so in the same
+// form as for any other damage.
+bmtJson DescribeDamage(const std::string& message)
+{
+  bmtJson json;
+  json["ok"] = false;
+  json["checks"] = bmtJson::array({ DescribeCheck("checksums", 1, 1, 0.0, message) });
+  return json;
+}
+
+void ShowProgress(vtkObject* caller, unsigned long, void* progress, void*)
+{
+  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+  const char* step = algorithm->GetProgressText();
+  static_cast<bmtProgress*>(progress)->Update(algorithm->GetProgress(), step ? step : "");
+  if (bmtIsInterrupted())
+  {
+    algorithm->AbortExecuteOn();
+  }
+}
+
+std::unique_ptr<vtkMTTriangleStream> OpenInput(const bmtInput& input, std::string& error)
+{
   try
   {
-    source = bmtOpenModel(options.File);
-    return false;
+    vtkNew<vtkPolyData> mesh;
+    bmtReadInput(input, mesh);
+    return std::make_unique<vtkMTPolyDataStream>(mesh);
   }
-  catch (const bmtError& error)
+  catch (const bmtError& failure)
   {
-    checks.emplace_back("checksums");
-    checks.back().Tested = 1;
-    checks.back().Fail(error.what());
-    return true;
+    error = failure.what();
+    return nullptr;
   }
 }
 
 bmtJson Verify(const Options& options)
 {
-  std::vector<bmtCheck> checks;
   std::shared_ptr<const vtkMTPatchSource> source;
-  bmtJson result;
-  result["ok"] = false;
-  result["checks"] = bmtJson::array();
-  if (!FindDamage(options, source, checks))
+  try
   {
-    checks = bmtCheckStructure(*source);
-    if (AreAllOk(checks)) // or else cuts and distances have no meaning
+    source = bmtOpenModel(options.File);
+  }
+  catch (const bmtError& error)
+  {
+    if (!bmtIsModel(options.File))
     {
-      vtkMTValidate::Borders borders;
-      checks.push_back(bmtCheckPasting(*source, borders));
-      checks.push_back(bmtCheckConformity(*source, borders, options.Cuts, options.Seed, result["spans"]));
-      if (!options.Input.Paths.empty())
-      {
-        CertifyErrors(*source, options, checks, result);
-      }
+      throw;
     }
+    return DescribeDamage(error.what());
   }
-  result["ok"] = AreAllOk(checks);
-  for (const bmtCheck& check : checks)
+  vtkNew<vtkMultiTriangulationVerifier> verifier;
+  vtkMultiTriangulationVerifier::InputOpener openInput;
+  if (!options.Input.Paths.empty())
   {
-    result["checks"].push_back(check.ToJson());
+    verifier->SetInputName(options.Input.Paths.front().c_str());
+    openInput = [&options](std::string& error) { return OpenInput(options.Input, error); };
   }
-  return result;
+  verifier->SetNumberOfCuts(options.Cuts);
+  verifier->SetNumberOfSamples(options.Samples);
+  verifier->SetSeed(options.Seed);
+  bmtProgress progress("verifying");
+  vtkNew<vtkCallbackCommand> show;
+  show->SetCallback(ShowProgress);
+  show->SetClientData(&progress);
+  verifier->AddObserver(vtkCommand::ProgressEvent, show);
+  if (!verifier->Verify(*source, openInput))
+  {
+    bmtThrowIfInterrupted();
+    throw bmtError(verifier->GetErrorMessage());
+  }
+  return Describe(verifier);
 }
 
 int Report(const Options& options, const bmtContext& context, const bmtJson& result)
@@ -142,10 +218,10 @@ void bmtAddVerify(CLI::App& app, bmtContext& context)
     ->allow_extra_args(false);
   bmtAddInputOptions(*command, options->Input);
   command->add_option("--cuts", options->Cuts, "Random cuts to check; at least half of them span three levels or more")
-    ->check(CLI::Range(std::size_t(0), std::size_t(100000000)))
+    ->check(CLI::Range(0, 100000000))
     ->capture_default_str();
   command->add_option("--samples", options->Samples, "Area-weighted samples on each surface, beside all its vertices")
-    ->check(CLI::Range(std::size_t(1), std::size_t(100000000)))
+    ->check(CLI::Range(1, 100000000))
     ->capture_default_str();
   command->add_option("--seed", options->Seed, "Seed of cuts and samples; the same seed gives the same report")
     ->capture_default_str();

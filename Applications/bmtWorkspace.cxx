@@ -24,9 +24,6 @@
 
 namespace
 {
-// Code that is not in memory yet, thread stacks, what the allocator keeps.
-constexpr std::uint64_t Reserve = std::uint64_t(12) << 20;
-
 std::uint64_t ReadNumber(const char* path)
 {
   std::ifstream file(path);
@@ -142,17 +139,17 @@ void bmtWorkspace::Prepare(const vtkMTTriangleStream& input, vtkMultiTriangulati
       " of either are supported");
   }
   malloc_trim(0); // what reading has freed would count
-  const std::uint64_t used = vtkMTTrimHeap::GetResidentSize() + Reserve;
+  const std::uint64_t resident = vtkMTTrimHeap::GetResidentSize();
   const vtkMTMemoryPlan plan = builder->MakeMemoryPlan(input);
-  if (this->Limit < used + plan.GetLeast())
+  std::uint64_t limit = 0;
+  std::string error;
+  if (!plan.Divide(this->Limit, resident, limit, error))
   {
-    throw bmtError("a memory limit of " + vtkMTMemoryPlan::ToText(this->Limit) + " is too small for this mesh: " +
-      vtkMTMemoryPlan::ToText(used + plan.GetLeast()) + " is the least that would do");
+    throw bmtError(error);
   }
   builder->SetResume(this->Options.Resume);
   // Spools in memory, and sorts that need not spill.
-  const std::uint64_t whole = used + plan.GetLeast() + plan.GetSpoolSize() + plan.GetSortMemory(0);
-  const bool fits = whole <= this->Limit && !hasState && this->Options.Temp.empty();
+  const bool fits = plan.IsWhole(this->Limit, resident) && !hasState && this->Options.Temp.empty();
   if (fits)
   {
     this->Memory = std::make_shared<vtkMTMemorySpoolStore>();
@@ -167,7 +164,7 @@ void bmtWorkspace::Prepare(const vtkMTTriangleStream& input, vtkMultiTriangulati
   }
   this->OpenFolder();
   builder->SetSpoolStore(this->Files);
-  builder->SetMemoryLimit(static_cast<vtkTypeInt64>(this->Limit - used));
+  builder->SetMemoryLimit(static_cast<vtkTypeInt64>(limit));
 }
 
 void bmtWorkspace::CheckDisk(std::uint64_t spools) const

@@ -5,8 +5,9 @@ set(mt_module_files)
 set(mt_present)
 foreach (folder IN ITEMS
     Module
-    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification IO/Core Rendering/Core
-    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2)
+    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
+    Rendering/Core
+    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General)
   if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
     continue ()
   endif ()
@@ -55,3 +56,14 @@ vtk_module_build(
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/multitriangulation"
   CMAKE_DESTINATION "${MT_CMAKE_DESTINATION}"
   USE_EXTERNAL OFF)
+
+# vtk_module_build has an argument for this, but takes a SOVERSION whose major number is 0 for none. Until 1.0 every minor
+# version may break the binary interface, so it is part of the name that programs load.
+if (PROJECT_VERSION_MAJOR EQUAL 0)
+  set(MT_SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
+else ()
+  set(MT_SOVERSION "${PROJECT_VERSION_MAJOR}")
+endif ()
+foreach (module IN LISTS mt_modules)
+  vtk_module_set_properties(${module} VERSION "${PROJECT_VERSION}" SOVERSION "${MT_SOVERSION}")
+endforeach ()

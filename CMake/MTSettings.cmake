@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Language, build type, directories and warnings: everything that is said once for all targets.
+# Language, build type, directories and warnings: what holds for all targets.
 if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif ()

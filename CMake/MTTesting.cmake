@@ -13,11 +13,13 @@ file(MAKE_DIRECTORY "${MT_TEST_OUTPUT_DIRECTORY}")
 # Builds the unit tests of these layers, which need no render window: what the sanitizer presets build and run.
 add_custom_target(mt_unit_tests)
 set(MT_LAYERS_WITHOUT_WINDOW
-  Module Sources Partition Simplification FiltersCore Certification Construction IOCore IO IOMesh IOImage RenderingCore)
+  Module Sources Partition Simplification FiltersCore Certification Verification Construction IOCore IO IOMesh IOImage
+  RenderingCore General)
 
 # mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
-# One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under Xvfb. The program
-# sees MT_SOURCE_DIRECTORY and MT_TEST_OUTPUT_DIRECTORY as string literals.
+# One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under
+# Xvfb. The program sees MT_SOURCE_DIRECTORY and MT_TEST_OUTPUT_DIRECTORY as string literals, and the helpers of
+# Testing/Common: mt_testing, and mt_testing_io where it links MTIO.
 function (mt_add_unit_test layer)
   cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "SOURCES;LINK")
   if (arg_UNPARSED_ARGUMENTS OR NOT arg_SOURCES)
@@ -31,8 +33,11 @@ function (mt_add_unit_test layer)
   endforeach ()
   set(target test_${layer})
   add_executable(${target} ${arg_SOURCES})
-  target_link_libraries(${target} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main)
-  target_include_directories(${target} PRIVATE "${CMAKE_SOURCE_DIR}/Testing/Common")
+  set(helpers mt_testing)
+  if ("MultiTriangulation::MTIO" IN_LIST arg_LINK)
+    list(PREPEND helpers mt_testing_io)
+  endif ()
+  target_link_libraries(${target} PRIVATE ${arg_LINK} ${helpers} GTest::gtest GTest::gtest_main)
   target_compile_definitions(${target} PRIVATE
     "MT_SOURCE_DIRECTORY=\"${CMAKE_SOURCE_DIR}\""
     "MT_TEST_OUTPUT_DIRECTORY=\"${MT_TEST_OUTPUT_DIRECTORY}\"")

@@ -3,6 +3,9 @@
 
 #include "vtkType.h"
 
+#include <cstring>
+#include <limits>
+
 //------------------------------------------------------------------------------
 static std::size_t GetTypeSize(int type)
 {
@@ -37,6 +40,88 @@ static std::size_t GetTypeSize(int type)
 std::size_t vtkMTArrayInfo::GetTupleSize() const
 {
   return this->Components > 0 ? GetTypeSize(this->Type) * static_cast<std::size_t>(this->Components) : 0;
+}
+
+//------------------------------------------------------------------------------
+// Compared in the values' own type, so that nothing is lost before the end. What is compared with NaN stays.
+template <typename Value>
+static void FindRanges(const vtkMTColumn& column, std::vector<vtkMTRange>& ranges)
+{
+  using Limits = std::numeric_limits<Value>;
+  const std::size_t components = ranges.size();
+  const std::size_t tuples = column.size() / (sizeof(Value) * components);
+  for (std::size_t c = 0; tuples > 0 && c < components; ++c)
+  {
+    Value least = Limits::has_infinity ? Limits::infinity() : Limits::max();
+    Value largest = Limits::has_infinity ? -Limits::infinity() : Limits::lowest();
+    const unsigned char* from = column.data() + c * sizeof(Value);
+    for (std::size_t i = 0; i < tuples; ++i, from += components * sizeof(Value))
+    {
+      Value value;
+      std::memcpy(&value, from, sizeof(Value));
+      least = value < least ? value : least;
+      largest = value > largest ? value : largest;
+    }
+    ranges[c] = { static_cast<double>(least), static_cast<double>(largest) };
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkMTRange> vtkMTArrayInfo::GetRanges(const vtkMTColumn& column) const
+{
+  std::vector<vtkMTRange> ranges(static_cast<std::size_t>(this->Components));
+  if (this->Role == ExactPoints)
+  {
+    return ranges;
+  }
+  switch (this->Type)
+  {
+    case VTK_CHAR:
+      FindRanges<char>(column, ranges);
+      break;
+    case VTK_SIGNED_CHAR:
+      FindRanges<signed char>(column, ranges);
+      break;
+    case VTK_UNSIGNED_CHAR:
+      FindRanges<unsigned char>(column, ranges);
+      break;
+    case VTK_SHORT:
+      FindRanges<short>(column, ranges);
+      break;
+    case VTK_UNSIGNED_SHORT:
+      FindRanges<unsigned short>(column, ranges);
+      break;
+    case VTK_INT:
+      FindRanges<int>(column, ranges);
+      break;
+    case VTK_UNSIGNED_INT:
+      FindRanges<unsigned int>(column, ranges);
+      break;
+    case VTK_LONG:
+      FindRanges<long>(column, ranges);
+      break;
+    case VTK_UNSIGNED_LONG:
+      FindRanges<unsigned long>(column, ranges);
+      break;
+    case VTK_LONG_LONG:
+      FindRanges<long long>(column, ranges);
+      break;
+    case VTK_UNSIGNED_LONG_LONG:
+      FindRanges<unsigned long long>(column, ranges);
+      break;
+    case VTK_ID_TYPE:
+      FindRanges<vtkIdType>(column, ranges);
+      break;
+    case VTK_FLOAT:
+      FindRanges<float>(column, ranges);
+      break;
+    case VTK_DOUBLE:
+      FindRanges<double>(column, ranges);
+      break;
+    default:
+      break;
+  }
+  return ranges;
 }
 
 //------------------------------------------------------------------------------

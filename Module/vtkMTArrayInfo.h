@@ -6,6 +6,8 @@
  * Values are kept as bytes in native VTK layout: tuple by tuple, Components values of VTK type Type each. Point arrays
  * have one tuple per wedge of a patch, cell arrays one per triangle. On level 0 the bytes are the input's; above, they
  * are resampled as Resampling says. An array of role ExactPoints is empty above level 0.
+ *
+ * vtkMTRange is the least and the largest of some values.
  */
 #ifndef vtkMTArrayInfo_h
 #define vtkMTArrayInfo_h
@@ -14,9 +16,35 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
+
+/// The least and the largest of some values; empty, Minimum above Maximum, where there are none.
+struct vtkMTRange
+{
+  double Minimum = std::numeric_limits<double>::infinity();
+  double Maximum = -std::numeric_limits<double>::infinity();
+
+  bool IsEmpty() const { return this->Minimum > this->Maximum; }
+  void Add(const vtkMTRange& other)
+  {
+    this->Minimum = other.Minimum < this->Minimum ? other.Minimum : this->Minimum;
+    this->Maximum = other.Maximum > this->Maximum ? other.Maximum : this->Maximum;
+  }
+  bool Holds(const vtkMTRange& other) const
+  {
+    return other.IsEmpty() || (this->Minimum <= other.Minimum && other.Maximum <= this->Maximum);
+  }
+  bool operator==(const vtkMTRange& other) const
+  {
+    return this->Minimum == other.Minimum && this->Maximum == other.Maximum;
+  }
+};
+
+/// The values of one array in one patch: tuples times GetTupleSize() bytes.
+using vtkMTColumn = std::vector<unsigned char>;
 
 struct VTKMTCORE_EXPORT vtkMTArrayInfo
 {
@@ -38,7 +66,10 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
     Plain = 0,
     InputCellIds = 1, ///< the input's cell id of each triangle, for picking; one vtkIdType
     MadeNormals = 2,  ///< normals that the builder made because the input had none
-    ExactPoints = 3   ///< level 0 only, empty above: the input's coordinates, see vtkMTExactPoints
+    ExactPoints = 3,  ///< level 0 only, empty above: the input's coordinates, see vtkMTExactPoints
+    InputPointIds = 4, ///< the input's point id of each point, for picking; one vtkIdType
+    Materials = 5,     ///< what surfaces are made of: indices or colours that a painter shades with
+    Heights = 6        ///< of the samples of a grid, along its third axis, in steps of the lattice
   };
 
   std::string Name;
@@ -56,10 +87,11 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   /// Bytes of one tuple; 0 for a type that is not carried.
   std::size_t GetTupleSize() const;
 
+  /// The range of each component of a column. NaN is left out, 64-bit integers are rounded to double; residuals
+  /// (ExactPoints) are no values and have empty ranges.
+  std::vector<vtkMTRange> GetRanges(const vtkMTColumn& column) const;
+
   bool operator==(const vtkMTArrayInfo& other) const;
 };
-
-/// The values of one array in one patch: tuples times GetTupleSize() bytes.
-using vtkMTColumn = std::vector<unsigned char>;
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTAssembler
- * @brief puts patches together into one welded mesh, by identity
+ * @brief assembles patches to one welded mesh, by identity
  *
  * Points that carry the same id become one point; the wedges of such a point are one when all their attribute values
  * are equal byte for byte. Everything else is appended. The order of the result follows the order of the patches, so it

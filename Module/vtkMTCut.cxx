@@ -23,25 +23,19 @@ vtkMTCut::vtkMTCut(const vtkMTGraph& graph)
 bool vtkMTCut::Contains(std::uint32_t arc) const
 {
   const vtkMTArc& a = this->Graph->Arcs[arc];
-  return this->Refined[a.From] && !this->Refined[a.To];
+  return this->Refined[a.From] && (!this->Refined[a.To] || this->Graph->Refinement == vtkMTGraph::Add);
 }
 
 //------------------------------------------------------------------------------
 bool vtkMTCut::CanRefine(std::uint32_t node) const
 {
-  if (this->Refined[node] || node == this->Graph->GetSink())
+  if (this->Refined[node] || !this->Graph->IsRefinable(node))
   {
     return false;
   }
-  const vtkMTNode& n = this->Graph->Nodes[node];
-  for (std::uint32_t i = 0; i < n.InCount; ++i)
-  {
-    if (!this->Refined[this->Graph->Arcs[this->Graph->Entering[n.FirstIn + i]].From])
-    {
-      return false;
-    }
-  }
-  return true;
+  const vtkMTArcList entering = this->Graph->GetEntering(node);
+  return std::all_of(entering.begin(), entering.end(),
+    [this](std::uint32_t arc) { return this->Refined[this->Graph->Arcs[arc].From] != 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -52,15 +46,16 @@ bool vtkMTCut::Refine(std::uint32_t node)
     return false;
   }
   const vtkMTNode& n = this->Graph->Nodes[node];
-  for (std::uint32_t i = 0; i < n.InCount; ++i)
+  const vtkMTArcList replaced = this->Graph->GetReplaced(node);
+  for (const std::uint32_t arc : replaced)
   {
-    this->Triangles -= this->Graph->Arcs[this->Graph->Entering[n.FirstIn + i]].Triangles;
+    this->Triangles -= this->Graph->Arcs[arc].Triangles;
   }
   for (std::uint32_t i = 0; i < n.OutCount; ++i)
   {
     this->Triangles += this->Graph->Arcs[n.FirstOut + i].Triangles;
   }
-  this->ArcCount = this->ArcCount - n.InCount + n.OutCount;
+  this->ArcCount = this->ArcCount - replaced.size() + n.OutCount;
   this->Refined[node] = 1;
   return true;
 }
@@ -69,7 +64,7 @@ bool vtkMTCut::Refine(std::uint32_t node)
 std::size_t vtkMTCut::RefineWithDependencies(std::uint32_t node)
 {
   std::size_t refined = 0;
-  if (node == this->Graph->GetSink())
+  if (!this->Graph->IsRefinable(node))
   {
     return refined;
   }
@@ -78,11 +73,10 @@ std::size_t vtkMTCut::RefineWithDependencies(std::uint32_t node)
   {
     const std::uint32_t top = stack.back();
     const std::size_t depth = stack.size();
-    const vtkMTNode& n = this->Graph->Nodes[top];
-    for (std::uint32_t i = 0; i < n.InCount && !this->Refined[top]; ++i)
+    for (const std::uint32_t arc : this->Graph->GetEntering(top))
     {
-      const std::uint32_t coarser = this->Graph->Arcs[this->Graph->Entering[n.FirstIn + i]].From;
-      if (!this->Refined[coarser])
+      const std::uint32_t coarser = this->Graph->Arcs[arc].From;
+      if (!this->Refined[top] && !this->Refined[coarser])
       {
         stack.push_back(coarser);
       }
@@ -122,15 +116,16 @@ bool vtkMTCut::Coarsen(std::uint32_t node)
     return false;
   }
   const vtkMTNode& n = this->Graph->Nodes[node];
-  for (std::uint32_t i = 0; i < n.InCount; ++i)
+  const vtkMTArcList replaced = this->Graph->GetReplaced(node);
+  for (const std::uint32_t arc : replaced)
   {
-    this->Triangles += this->Graph->Arcs[this->Graph->Entering[n.FirstIn + i]].Triangles;
+    this->Triangles += this->Graph->Arcs[arc].Triangles;
   }
   for (std::uint32_t i = 0; i < n.OutCount; ++i)
   {
     this->Triangles -= this->Graph->Arcs[n.FirstOut + i].Triangles;
   }
-  this->ArcCount = this->ArcCount + n.InCount - n.OutCount;
+  this->ArcCount = this->ArcCount + replaced.size() - n.OutCount;
   this->Refined[node] = 0;
   return true;
 }
@@ -142,12 +137,16 @@ std::vector<std::uint32_t> vtkMTCut::GetArcs() const
   arcs.reserve(this->ArcCount);
   for (std::uint32_t node = 0; node < this->Refined.size(); ++node)
   {
-    const vtkMTNode& n = this->Graph->Nodes[node];
-    for (std::uint32_t i = 0; this->Refined[node] && i < n.OutCount; ++i)
+    if (!this->Refined[node])
     {
-      if (!this->Refined[this->Graph->Arcs[n.FirstOut + i].To])
+      continue; // what is not known is not looked at
+    }
+    const vtkMTNode& n = this->Graph->Nodes[node];
+    for (std::uint32_t arc = n.FirstOut; arc < n.FirstOut + n.OutCount; ++arc)
+    {
+      if (this->Contains(arc))
       {
-        arcs.push_back(n.FirstOut + i);
+        arcs.push_back(arc);
       }
     }
   }
@@ -160,7 +159,8 @@ double vtkMTCut::GetError() const
   double error = 0.0;
   for (std::uint32_t arc : this->GetArcs())
   {
-    error = std::max(error, this->Graph->Nodes[this->Graph->Arcs[arc].To].Error);
+    const std::uint32_t to = this->Graph->Arcs[arc].To;
+    error = this->Refined[to] ? error : std::max(error, this->Graph->Nodes[to].Error);
   }
   return error;
 }

@@ -6,7 +6,8 @@
  * A cut is kept as the set of refined nodes: an arc is in the cut when the node that it leaves is refined and the node
  * that it enters is not. The source is always refined, the sink never. The set is closed: when a node is refined, all
  * nodes that it depends on (those which the arcs entering it leave) are refined too. The patches of the arcs in the cut
- * form one conforming mesh (BMT section 3.1).
+ * form one conforming mesh (BMT section 3.1). In a graph whose refinements add, every arc that leaves a refined node is
+ * in the cut. Of a partly known graph only nodes of the known part are refined.
  */
 #ifndef vtkMTCut_h
 #define vtkMTCut_h
@@ -27,14 +28,17 @@ public:
   bool IsRefined(std::uint32_t node) const { return this->Refined[node] != 0; }
   bool Contains(std::uint32_t arc) const;
 
-  /// Whether all arcs that enter the node are in the cut, so that Refine may be called. Never for the sink.
+  /// Whether all that the node depends on is refined and it is not, so that Refine may be called. Never for the sink or
+  /// beyond what is known of the graph.
   bool CanRefine(std::uint32_t node) const;
-  /// Replaces the arcs that enter the node by those that leave it. False, and nothing done, unless CanRefine.
+  /// Replaces the arcs that enter the node by those that leave it (or adds these, where the graph's refinements add).
+  /// False, and nothing done, unless CanRefine.
   bool Refine(std::uint32_t node);
-  /// Refines the node and, before it, all unrefined nodes that it depends on. Gives the number of nodes refined.
+  /// Refines the node and, before it, all unrefined nodes that it depends on. Gives the number of nodes refined, 0 where
+  /// the node is refined already or not refinable.
   std::size_t RefineWithDependencies(std::uint32_t node);
 
-  /// Whether all arcs that leave the node are in the cut. Never for the source.
+  /// Whether the node is refined and none that depends on it is. Never for the source.
   bool CanCoarsen(std::uint32_t node) const;
   bool Coarsen(std::uint32_t node);
 

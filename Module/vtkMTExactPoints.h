@@ -7,7 +7,7 @@
  * numbers of the input's type (float where all coordinates are floats, else double) lie between the lattice's place,
  * rounded to that type, and the input's coordinate. The bits of a number, read as an integer and ordered as the numbers
  * are, make this a difference of integers, so that signed zeros, denormals and numbers of any size come back as they
- * were. Patches of coarser levels have an empty column, and so has a mesh that was put together from patches of several
+ * were. Patches of coarser levels have an empty column, and so has a mesh that was assembled from patches of several
  * levels: it lies on the lattice, or its borders would not match. What is drawn is always on the lattice.
  */
 #ifndef vtkMTExactPoints_h

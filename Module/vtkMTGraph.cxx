@@ -146,8 +146,53 @@ double GetDiameter(const vtkMTGraph& graph, const vtkMTNode& node)
 }
 
 //------------------------------------------------------------------------------
+std::uint32_t vtkMTGraph::GetNumberOfKnownNodes() const
+{
+  const std::uint32_t known = this->Known.Count.load(std::memory_order_acquire);
+  return known == KnownPrefix::All ? static_cast<std::uint32_t>(this->Nodes.size()) : known;
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t vtkMTGraph::GetNumberOfKnownArcs() const
+{
+  const std::uint32_t known = this->Known.Count.load(std::memory_order_acquire);
+  if (known == KnownPrefix::All)
+  {
+    return static_cast<std::uint32_t>(this->Arcs.size());
+  }
+  return known == 0 ? 0 : this->Nodes[known - 1].FirstOut + this->Nodes[known - 1].OutCount;
+}
+
+//------------------------------------------------------------------------------
+void vtkMTGraph::SetNumberOfKnownNodes(std::uint32_t nodes)
+{
+  this->Known.Count.store(nodes < this->Nodes.size() ? nodes : KnownPrefix::All, std::memory_order_release);
+}
+
+//------------------------------------------------------------------------------
+vtkMTGraphFigures vtkMTGraph::GetFigures() const
+{
+  if (!this->IsWhole())
+  {
+    return this->Figures;
+  }
+  vtkMTGraphFigures figures;
+  figures.Levels = this->GetNumberOfLevels();
+  figures.FinestTriangles = this->GetNumberOfFinestTriangles();
+  for (const vtkMTArc& arc : this->Arcs)
+  {
+    figures.AddBox(arc.Box);
+  }
+  return figures;
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t vtkMTGraph::GetNumberOfLevels() const
 {
+  if (!this->IsWhole())
+  {
+    return this->Figures.Levels;
+  }
   std::uint32_t levels = 0;
   for (const vtkMTArc& arc : this->Arcs)
   {
@@ -170,10 +215,14 @@ std::uint64_t vtkMTGraph::GetNumberOfRootTriangles() const
 //------------------------------------------------------------------------------
 std::uint64_t vtkMTGraph::GetNumberOfFinestTriangles() const
 {
-  std::uint64_t triangles = 0;
-  for (std::uint32_t i = 0; !this->Nodes.empty() && i < this->Nodes.back().InCount; ++i)
+  if (!this->IsWhole())
   {
-    triangles += this->Arcs[this->Entering[this->Nodes.back().FirstIn + i]].Triangles;
+    return this->Figures.FinestTriangles;
+  }
+  std::uint64_t triangles = 0;
+  for (std::uint32_t arc = 0; arc < this->Arcs.size(); ++arc)
+  {
+    triangles += this->IsFinest(arc) ? this->Arcs[arc].Triangles : 0;
   }
   return triangles;
 }
@@ -181,21 +230,7 @@ std::uint64_t vtkMTGraph::GetNumberOfFinestTriangles() const
 //------------------------------------------------------------------------------
 void vtkMTGraph::GetBounds(double bounds[6]) const
 {
-  vtkMTBox box{ 0, -1, 0, -1, 0, -1 };
-  for (const vtkMTArc& arc : this->Arcs)
-  {
-    if (arc.Box[0] > arc.Box[1])
-    {
-      continue;
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      const bool first = box[2 * i] > box[2 * i + 1];
-      box[2 * i] = first ? arc.Box[2 * i] : std::min(box[2 * i], arc.Box[2 * i]);
-      box[2 * i + 1] = first ? arc.Box[2 * i + 1] : std::max(box[2 * i + 1], arc.Box[2 * i + 1]);
-    }
-  }
-  this->Lattice.ToWorld(box, bounds);
+  this->Lattice.ToWorld(this->GetFigures().Box, bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -264,6 +299,10 @@ void vtkMTGraph::Saturate(double sinkError)
       const vtkMTArc& arc = this->Arcs[node.FirstOut + i];
       node.Error = std::max(node.Error, this->Nodes[arc.To].Error);
       node.EdgeLength = std::max(node.EdgeLength, this->Nodes[arc.To].EdgeLength);
+      for (vtkMTMeasure& measure : this->Measures)
+      {
+        measure.Values[index] = std::max(measure.Values[index], measure.Values[arc.To]);
+      }
       AddCorners(arc.Box, inside);
       if (arc.To != sink)
       {
@@ -285,6 +324,24 @@ void vtkMTGraph::Saturate(double sinkError)
     spheres[index] = Enclose(inside);
     node.Center = this->Lattice.ToWorld(spheres[index].Center);
     node.Radius = spheres[index].Radius * this->Lattice.Step;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Arcs that leave a node come after those that enter it.
+void vtkMTGraph::SaturateRanges(vtkMTArcRanges& ranges) const
+{
+  const std::size_t columns = ranges.Columns.size();
+  for (std::size_t arc = columns > 0 ? this->Arcs.size() : 0; arc-- > 0;)
+  {
+    const vtkMTNode& node = this->Nodes[this->Arcs[arc].To];
+    for (std::size_t finer = node.FirstOut; finer < std::size_t(node.FirstOut) + node.OutCount; ++finer)
+    {
+      for (std::size_t c = 0; c < columns; ++c)
+      {
+        ranges.Values[arc * columns + c].Add(ranges.Values[finer * columns + c]);
+      }
+    }
   }
 }
 

@@ -15,7 +15,15 @@
  * Error of the nodes that the arcs leaving n enter, so Error never grows along a path towards the sink. EdgeLength is
  * the largest of the fragment's own mean edge length and of those of the nodes below. The sphere of a node holds its
  * fragment, its floor and the spheres of the nodes that the arcs leaving it enter; the sink's sphere is the whole
- * model's.
+ * model's. Measures are further columns over the nodes that are saturated in the same way. A level is a scale: levels
+ * fall along every arc, and nothing is promised of how much coarser one is than the next.
+ *
+ * A graph may be *partly known*, while a file is read by and by: then Nodes, Arcs and Entering have their full sizes,
+ * and the records of the first nodes and arcs are there. GetNumberOfKnownNodes says for how many nodes everything is
+ * known that refining them takes: all their arcs and the records of the nodes that these enter or leave. That is a
+ * prefix which is closed under dependency, since arcs run from smaller to larger indices, so the known part with
+ * nothing refined beyond it is a Multi-Triangulation of its own. It only grows, and one thread may fill in what lies
+ * beyond it while others look at what lies within.
  */
 #ifndef vtkMTGraph_h
 #define vtkMTGraph_h
@@ -23,10 +31,14 @@
 #include "vtkMTArrayInfo.h"
 #include "vtkMTCoreModule.h" // For export macro
 #include "vtkMTLattice.h"
+#include "vtkMTPatch.h"
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +70,82 @@ struct vtkMTArc
   std::array<float, 3> ConeAxis{ 0.0f, 0.0f, 1.0f };
   float ConeCosine = -1.0f;
   float MeanEdgeLength = 0.0f; ///< model units
+  vtkMTPatchKind Kind = vtkMTPatchKind::Triangles;
+
+  /// Whether the arc is a mere dependency: there is nothing to read and nothing to draw, and its box is empty.
+  bool IsDependency() const { return this->Points == 0 && this->Wedges == 0 && this->Triangles == 0; }
+};
+
+/// Some arcs: indices that lie one after the other in the graph's table Entering.
+class vtkMTArcList
+{
+public:
+  vtkMTArcList(const std::uint32_t* first, std::size_t count)
+    : First(first)
+    , Last(first + count)
+  {
+  }
+  const std::uint32_t* begin() const { return this->First; }
+  const std::uint32_t* end() const { return this->Last; }
+  std::size_t size() const { return static_cast<std::size_t>(this->Last - this->First); }
+
+private:
+  const std::uint32_t* First;
+  const std::uint32_t* Last;
+};
+
+/// A column over the nodes beside Error and EdgeLength: the largest deviation of an array's values, say. While a graph
+/// is built, a node's value is that of its own fragment; Saturate makes it the largest of those below as well.
+struct vtkMTMeasure
+{
+  std::string Name;
+  std::vector<double> Values; ///< one for each node; finite, not negative
+};
+
+/// Ranges of chosen arrays for every arc, of everything that the arc stands for: its patch and all that is below.
+struct vtkMTArcRanges
+{
+  struct Column
+  {
+    std::uint32_t Array = 0;
+    std::uint32_t Component = 0;
+    bool operator==(const Column& other) const
+    {
+      return this->Array == other.Array && this->Component == other.Component;
+    }
+  };
+  std::vector<Column> Columns;
+  std::vector<vtkMTRange> Values; ///< of column c of arc a: [a * Columns.size() + c]
+};
+
+/// What the input consisted of, by kind.
+struct vtkMTInputCounts
+{
+  std::uint64_t Triangles = 0; ///< polygons and strips counted as triangles
+  std::uint64_t Points = 0;    ///< of a cloud of points
+  std::uint64_t Samples = 0;   ///< of volumes and height fields
+  std::uint64_t Cells = 0;     ///< of other kinds
+};
+
+/// Figures of the whole model, which are known before all of the graph is.
+struct vtkMTGraphFigures
+{
+  std::uint32_t Levels = 0;
+  std::uint64_t FinestTriangles = 0;
+  vtkMTBox Box{ 0, -1, 0, -1, 0, -1 };
+  void AddBox(const vtkMTBox& box)
+  {
+    for (std::size_t i = 0; i < 6 && box[0] <= box[1]; i += 2)
+    {
+      const bool isFirst = this->Box[i] > this->Box[i + 1];
+      this->Box[i] = isFirst || box[i] < this->Box[i] ? box[i] : this->Box[i];
+      this->Box[i + 1] = isFirst || box[i + 1] > this->Box[i + 1] ? box[i + 1] : this->Box[i + 1];
+    }
+  }
+  bool operator==(const vtkMTGraphFigures& other) const
+  {
+    return this->Levels == other.Levels && this->FinestTriangles == other.FinestTriangles && this->Box == other.Box;
+  }
 };
 
 /// Bytes that are carried with the model as they are, such as an image that its texture coordinates speak of.
@@ -71,14 +159,33 @@ struct vtkMTBlobInfo
 class VTKMTCORE_EXPORT vtkMTGraph
 {
 public:
+  /// How a refinement pastes: it takes the arcs that enter the node away, or it adds those that leave it to them.
+  enum RefinementType : std::uint8_t
+  {
+    Replace = 0,
+    Add = 1
+  };
+
   vtkMTLattice Lattice;
+  RefinementType Refinement = Replace;
   std::vector<vtkMTNode> Nodes;
   std::vector<vtkMTArc> Arcs;          ///< sorted by From, then To
   std::vector<std::uint32_t> Entering; ///< arc indices sorted by To, then arc index
   std::vector<vtkMTArrayInfo> Arrays;
   std::vector<vtkMTBlobInfo> Blobs; ///< their bytes are in the patch source
 
-  std::uint64_t InputTriangles = 0; ///< of the input, polygons and strips counted as triangles
+  std::vector<vtkMTMeasure> Measures;
+  vtkMTArcRanges ArcRanges; ///< optional: patch sinks fill in the values where there are columns
+  /// Of the whole model, of each component of each array: [array][component], over all tuples of the finest level, as
+  /// vtkMTArrayInfo::GetRanges defines them. Patch sinks fill them in; no entries where they are not known.
+  std::vector<std::vector<vtkMTRange>> ArrayRanges;
+
+  /// From model units to the world, row by row, where the model has a frame of its own.
+  std::optional<std::array<double, 16>> Frame;
+  std::string Crs;   ///< coordinate reference system of the model units ("EPSG:2056", WKT), where it is known
+  std::string Units; ///< of the coordinates ("m"), where they are known
+
+  vtkMTInputCounts InputCounts;
   /// How the model was made: "partition", "simplifier" and every setting that has an influence on the bytes.
   std::map<std::string, std::string> Settings;
   /// What became of the input: triangles and points dropped, stitched or split, by reason; arrays left out.
@@ -89,13 +196,48 @@ public:
   std::uint32_t GetSource() const { return 0; }
   std::uint32_t GetSink() const { return static_cast<std::uint32_t>(this->Nodes.size()) - 1; }
   bool IsEmpty() const { return this->Arcs.empty(); }
-  /// 1 + the level of the coarsest patches.
+
+  ///@{
+  /// How much is known, see above. All that is within may be looked at from any thread.
+  std::uint32_t GetNumberOfKnownNodes() const;
+  std::uint32_t GetNumberOfKnownArcs() const; ///< those that leave known nodes
+  bool IsWhole() const { return this->Known.Count.load(std::memory_order_acquire) == KnownPrefix::All; }
+  /// For whoever reads the graph by and by: what it has filled in is for all to see from now on. nodes: at most their
+  /// number, which says that the graph is whole.
+  void SetNumberOfKnownNodes(std::uint32_t nodes);
+  ///@}
+
+  /// Of the whole model, also where the graph is partly known. 1 + the level of the coarsest patches.
   std::uint32_t GetNumberOfLevels() const;
+  /// Whether the arc's patch is part of the finest level: it enters the sink, or refinement only adds.
+  bool IsFinest(std::uint32_t arc) const { return this->Refinement == Add || this->Arcs[arc].To == this->GetSink(); }
   std::uint32_t GetLevelOfArc(std::uint32_t arc) const { return this->Nodes[this->Arcs[arc].To].Level; }
   /// Triangles on the arcs that leave the source, and on those that enter the sink.
   std::uint64_t GetNumberOfRootTriangles() const;
   std::uint64_t GetNumberOfFinestTriangles() const;
   void GetBounds(double bounds[6]) const;
+  /// The three of them; where the graph is whole they are counted.
+  vtkMTGraphFigures GetFigures() const;
+  /// What GetFigures gives while the graph is partly known.
+  void SetFigures(const vtkMTGraphFigures& figures) { this->Figures = figures; }
+
+  /// The arcs that enter the node: what it depends on.
+  vtkMTArcList GetEntering(std::uint32_t node) const
+  {
+    const vtkMTNode& record = this->Nodes[node];
+    return { this->Entering.data() + record.FirstIn, record.InCount };
+  }
+  /// The arcs that refining the node takes away: those that enter it, or none where refinement adds.
+  vtkMTArcList GetReplaced(std::uint32_t node) const
+  {
+    const vtkMTNode& record = this->Nodes[node];
+    return { this->Entering.data() + record.FirstIn, this->Refinement == Replace ? record.InCount : 0 };
+  }
+  /// Neither the sink nor beyond what is known. When a node can be refined, so can all that it depends on.
+  bool IsRefinable(std::uint32_t node) const
+  {
+    return node != this->GetSink() && node < this->Known.Count.load(std::memory_order_acquire);
+  }
 
   /// Sorts Arcs, then fills Entering and the nodes' First/Count fields from the arcs' From and To. Gives the
   /// permutation: new arc i was arc result[i].
@@ -103,9 +245,11 @@ public:
 
   /**
    * Fills Error, EdgeLength and the spheres from the nodes' OwnError, their own mean edge length (in EdgeLength) and
-   * the arcs' boxes; sinkError is the lattice's rounding. Call after Index().
+   * the arcs' boxes, and saturates Measures; sinkError is the lattice's rounding. Call after Index().
    */
   void Saturate(double sinkError);
+  /// Makes of the ranges of the arcs' patches those of everything that the arcs stand for.
+  void SaturateRanges(vtkMTArcRanges& ranges) const;
 
   /// BMT section 3.2: how well conditioned the DAG is.
   struct Conditioning
@@ -117,6 +261,27 @@ public:
   };
   Conditioning GetConditioning() const;
   std::uint32_t FullySharedBorders = 0;
+
+private:
+  // A prefix that other threads may see grow. Copying a graph copies what is known at that time.
+  struct KnownPrefix
+  {
+    static constexpr std::uint32_t All = 0xffffffffu;
+    std::atomic<std::uint32_t> Count{ All };
+
+    KnownPrefix() = default;
+    KnownPrefix(const KnownPrefix& other)
+      : Count(other.Count.load())
+    {
+    }
+    KnownPrefix& operator=(const KnownPrefix& other)
+    {
+      this->Count = other.Count.load();
+      return *this;
+    }
+  };
+  KnownPrefix Known;
+  vtkMTGraphFigures Figures;
 };
 
 #endif

@@ -3,7 +3,7 @@
  * @class vtkMTMemorySpoolStore
  * @brief a store whose spools are in memory, for meshes that fit
  *
- * Nothing outlives the process: Commit has no effect. Spools grow in pieces of 1 MiB, without copying.
+ * Nothing outlives the process: Commit has no effect. Spools grow in blocks of 1 MiB, without copying.
  */
 #ifndef vtkMTMemorySpoolStore_h
 #define vtkMTMemorySpoolStore_h

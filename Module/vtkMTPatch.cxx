@@ -62,3 +62,20 @@ std::size_t vtkMTPatch::GetMemorySize() const
   }
   return size;
 }
+
+//------------------------------------------------------------------------------
+std::vector<vtkMTRange> vtkMTPatch::GetRanges(const std::vector<vtkMTArrayInfo>& arrays) const
+{
+  std::vector<vtkMTRange> ranges;
+  std::size_t next[2] = { 0, 0 };
+  for (const vtkMTArrayInfo& array : arrays)
+  {
+    const bool ofCells = array.Association == vtkMTArrayInfo::Cell;
+    const std::vector<vtkMTColumn>& columns = ofCells ? this->CellColumns : this->PointColumns;
+    const std::size_t column = next[ofCells ? 1 : 0]++;
+    const std::vector<vtkMTRange> own =
+      array.GetRanges(column < columns.size() ? columns[column] : vtkMTColumn());
+    ranges.insert(ranges.end(), own.begin(), own.end());
+  }
+  return ranges;
+}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPatch
- * @brief an indexed triangle mesh on the lattice: a patch, or a floor or a fragment put together from patches
+ * @brief an indexed triangle mesh on the lattice: a patch, or a floor or a fragment assembled from patches
  *
  * Three kinds of index meet here. A *point* is a place on the lattice with an identity. A *wedge* is a point together
  * with one set of attribute values: where a seam runs through a point (texture coordinates, hard edges), that point has
@@ -26,10 +26,21 @@
 #include <cstdint>
 #include <vector>
 
+/// What a patch describes the surface, or the space, with. Everything but codec, painter and validation is the same for
+/// all kinds. Triangles are the only kind that is made today.
+enum class vtkMTPatchKind : std::uint8_t
+{
+  Triangles = 0,
+  Points = 1,
+  Voxels = 2, ///< points with a size
+  Grid = 3    ///< samples whose places follow from a corner and a size
+};
+
 using vtkMTTriangle = std::array<std::uint32_t, 3>;
 
 struct VTKMTCORE_EXPORT vtkMTPatch
 {
+  vtkMTPatchKind Kind = vtkMTPatchKind::Triangles;
   std::vector<vtkMTPoint> Points;
   std::vector<std::uint64_t> Ids;
   std::vector<std::uint32_t> WedgePoints;
@@ -57,6 +68,8 @@ struct VTKMTCORE_EXPORT vtkMTPatch
   double GetMeanEdgeLength() const;
   /// Bytes held, capacity not counted.
   std::size_t GetMemorySize() const;
+  /// What vtkMTArrayInfo::GetRanges gives for the columns of these arrays, one array after the other.
+  std::vector<vtkMTRange> GetRanges(const std::vector<vtkMTArrayInfo>& arrays) const;
 };
 
 #endif

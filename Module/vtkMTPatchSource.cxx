@@ -5,6 +5,12 @@
 vtkMTPatchSource::~vtkMTPatchSource() = default;
 
 //------------------------------------------------------------------------------
+const vtkMTGraph& vtkMTPatchSource::GetKnownGraph() const
+{
+  return this->GetGraph();
+}
+
+//------------------------------------------------------------------------------
 bool vtkMTPatchSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const
 {
   bytes.clear();

@@ -27,10 +27,16 @@ class VTKMTCORE_EXPORT vtkMTPatchSource
 public:
   virtual ~vtkMTPatchSource();
 
+  /// The whole graph. A source that knows a part of it only reads or waits for the rest; where that fails, the graph
+  /// stays partly known.
   virtual const vtkMTGraph& GetGraph() const = 0;
 
+  /// The same object, as far as it is known now. Never waits: for renderers, which look at the known part only. What
+  /// is not graph (lattice, arrays, blobs, ranges, settings) is there at once.
+  virtual const vtkMTGraph& GetKnownGraph() const;
+
   /**
-   * Reads one arc's patch. arrays, when given, has one entry per array of the graph: 0 leaves that array's column
+   * Reads one arc's patch, of a known arc; that of a dependency is empty. arrays, when given, has one entry per array of the graph: 0 leaves that array's column
    * empty; nullptr reads all. False on failure: then error says what failed and where, and patch is empty.
    */
   virtual bool ReadPatch(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchStore.h"
 
+#include "vtkMTRangeCollector.h"
+
 #include <utility>
 
 //------------------------------------------------------------------------------
@@ -67,6 +69,17 @@ bool vtkMTPatchStore::Finish(const vtkMTGraph& graph, const std::vector<std::uin
   }
   this->Patches.swap(ordered);
   this->Graph = graph;
+  vtkMTRangeCollector ranges(this->Graph);
+  for (std::uint32_t arc = 0; arc < count; ++arc)
+  {
+    if (ranges.Wants(arc))
+    {
+      ranges.Add(arc, this->Patches[arc].GetRanges(this->Graph.Arrays));
+    }
+  }
+  ranges.Finish();
+  this->Graph.ArrayRanges = ranges.GetArrayRanges();
+  this->Graph.ArcRanges = ranges.GetArcRanges();
   return true;
 }
 
@@ -96,6 +109,7 @@ bool vtkMTPatchStore::ReadPatch(
     patch = stored;
     return true;
   }
+  patch.Kind = stored.Kind;
   patch.Points = stored.Points;
   patch.Ids = stored.Ids;
   patch.WedgePoints = stored.WedgePoints;

@@ -6,7 +6,7 @@
  * Nameless spools are gone with their object, or with the process. Named ones stay until they are removed: Commit makes
  * all of them durable and then, in one step, a state: bytes that say what is in them. Whatever ends the process after
  * that, Restore gives the state of the last Commit, and the spools that existed then can be opened as they were: what
- * was appended later is cut off, and a spool that was removed since is kept until the next Commit.
+ * was appended later is removed, and a spool that was removed since is kept until the next Commit.
  *
  * A store in memory (vtkMTMemorySpoolStore) and one on disk (IO) give the same bytes: what is built does not depend on
  * which one it is.

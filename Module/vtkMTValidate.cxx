@@ -174,6 +174,39 @@ struct Sphere
 };
 
 //------------------------------------------------------------------------------
+// Of two nodes that an arc joins.
+void CheckMeasures(const vtkMTGraph& graph, std::uint32_t coarse, std::uint32_t fine, Result& result)
+{
+  for (const vtkMTMeasure& measure : graph.Measures)
+  {
+    const bool complete = measure.Values.size() == graph.Nodes.size();
+    Expect(result, "graph", complete && measure.Values[coarse] >= measure.Values[fine], "the measure ", measure.Name,
+      " of node ", coarse, " is not saturated: node ", fine, " below has a larger one");
+  }
+}
+
+//------------------------------------------------------------------------------
+// The ranges of an arc hold those of all arcs below.
+void CheckArcRanges(const vtkMTGraph& graph, Result& result)
+{
+  const vtkMTArcRanges& ranges = graph.ArcRanges;
+  const std::size_t columns = ranges.Columns.size();
+  const bool complete = Expect(result, "graph", ranges.Values.size() == columns * graph.Arcs.size(), "there are ",
+    ranges.Values.size(), " ranges for ", columns, " columns of ", graph.Arcs.size(), " arcs");
+  for (std::size_t arc = 0; complete && columns > 0 && arc < graph.Arcs.size(); ++arc)
+  {
+    const vtkMTNode& node = graph.Nodes[graph.Arcs[arc].To];
+    for (std::size_t i = 0; i < node.OutCount * columns; ++i)
+    {
+      const std::size_t finer = node.FirstOut + i / columns;
+      Expect(result, "graph",
+        ranges.Values[arc * columns + i % columns].Holds(ranges.Values[finer * columns + i % columns]),
+        "the ranges of arc ", arc, " do not hold those of arc ", finer, " below");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckSaturation(const vtkMTGraph& graph, Result& result)
 {
   for (std::uint32_t i = 0; i < graph.Nodes.size(); ++i)
@@ -196,6 +229,7 @@ void CheckSaturation(const vtkMTGraph& graph, Result& result)
         " is not saturated: node ", to, " below has ", finer.Error);
       Expect(result, "graph", node.EdgeLength >= finer.EdgeLength, "the edge length ", node.EdgeLength, " of node ", i,
         " is not saturated: node ", to, " below has ", finer.EdgeLength);
+      CheckMeasures(graph, i, to, result);
       Expect(result, "graph", sphere.Holds(graph.Arcs[index].Box), "the sphere of node ", i,
         " does not hold the patch of arc ", index, " which leaves it");
       Expect(result, "graph", to == graph.GetSink() || sphere.Holds(Sphere(graph.Lattice, finer)),
@@ -211,20 +245,38 @@ void CheckSaturation(const vtkMTGraph& graph, Result& result)
 }
 
 //------------------------------------------------------------------------------
+// What a patch of the arc's kind must have of.
+bool HasContents(const vtkMTArc& arc)
+{
+  switch (arc.Kind)
+  {
+    case vtkMTPatchKind::Triangles:
+      return arc.Triangles > 0 && arc.Points > 0 && arc.Wedges > 0;
+    case vtkMTPatchKind::Points:
+    case vtkMTPatchKind::Voxels:
+      return arc.Points > 0 && arc.Wedges > 0;
+    case vtkMTPatchKind::Grid:
+      return arc.Wedges > 0;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void CheckRecords(const vtkMTGraph& graph, Result& result)
 {
   const Sphere whole(graph.Lattice, graph.Nodes[graph.GetSink()]);
   for (std::size_t i = 0; i < graph.Arcs.size(); ++i)
   {
     const vtkMTArc& arc = graph.Arcs[i];
-    Expect(result, "graph", arc.Triangles > 0 && arc.Points > 0 && arc.Wedges > 0, "arc ", i, " has an empty patch");
+    Expect(result, "graph", arc.IsDependency() || HasContents(arc), "arc ", i, " has an empty patch");
     Expect(result, "graph", arc.SharedPoints <= arc.Points, "arc ", i, " has more shared points than points");
-    Expect(result, "graph", arc.Box[0] <= arc.Box[1] && arc.Box[2] <= arc.Box[3] && arc.Box[4] <= arc.Box[5], "arc ", i,
-      " has an empty box");
+    const bool hasBox = arc.Box[0] <= arc.Box[1] && arc.Box[2] <= arc.Box[3] && arc.Box[4] <= arc.Box[5];
+    Expect(result, "graph", hasBox != arc.IsDependency(), "arc ", i,
+      hasBox ? " is a dependency with a box" : " has an empty box");
     Expect(result, "graph", whole.Holds(arc.Box), "the sphere of the sink does not hold the patch of arc ", i);
   }
-  Expect(result, "graph", graph.InputTriangles >= graph.GetNumberOfFinestTriangles(), "the finest level has ",
-    graph.GetNumberOfFinestTriangles(), " triangles, the input ", graph.InputTriangles);
+  Expect(result, "graph", graph.InputCounts.Triangles >= graph.GetNumberOfFinestTriangles(), "the finest level has ",
+    graph.GetNumberOfFinestTriangles(), " triangles, the input ", graph.InputCounts.Triangles);
 }
 
 //------------------------------------------------------------------------------
@@ -294,7 +346,9 @@ void CheckRecord(const vtkMTArc& arc, const vtkMTPatch& patch, const std::string
     name, " has ", patch.Triangles.size(), " triangles, ", patch.Points.size(), " points, ", patch.GetNumberOfWedges(),
     " wedges, ", patch.Ids.size(), " shared points; its record says ", arc.Triangles, ", ", arc.Points, ", ",
     arc.Wedges, ", ", arc.SharedPoints);
-  Expect(result, "patch", arc.Box == patch.GetBox(), name, ": the box of its record is not that of its triangles");
+  Expect(result, "patch", arc.Kind == patch.Kind, name, " is of another kind than its record says");
+  Expect(result, "patch", arc.Kind != vtkMTPatchKind::Triangles || arc.Box == patch.GetBox(), name,
+    ": the box of its record is not that of its triangles");
 }
 
 //------------------------------------------------------------------------------
@@ -346,9 +400,15 @@ vtkMTValidate::Result vtkMTValidate::Graph(const vtkMTGraph& graph)
 {
   Result result;
   CheckLattice(graph.Lattice, result);
+  if (!Expect(result, "graph", graph.IsWhole(), "only ", graph.GetNumberOfKnownNodes(), " of ", graph.Nodes.size(),
+        " nodes could be read"))
+  {
+    return result;
+  }
   if (CheckIndices(graph, result) && CheckPaths(graph, result) && CheckLevels(graph, result))
   {
     CheckSaturation(graph, result);
+    CheckArcRanges(graph, result);
     CheckRecords(graph, result);
   }
   return result;
@@ -370,10 +430,18 @@ vtkMTValidate::Result vtkMTValidate::Patch(const vtkMTGraph& graph, std::uint32_
   const std::string name = Text("patch ", arc);
   CheckIds(patch, name, result);
   CheckColumns(patch, graph.Arrays, name, result);
-  if (CheckTriangles(patch, name, result))
+  switch (graph.Arcs[arc].Kind)
   {
-    CheckRecord(graph.Arcs[arc], patch, name, result);
-    CheckCone(graph.Arcs[arc], patch, name, result);
+    case vtkMTPatchKind::Triangles:
+      if (CheckTriangles(patch, name, result))
+      {
+        CheckRecord(graph.Arcs[arc], patch, name, result);
+        CheckCone(graph.Arcs[arc], patch, name, result);
+      }
+      break;
+    default: // what has no triangles has no normals either
+      CheckRecord(graph.Arcs[arc], patch, name, result);
+      break;
   }
   return result;
 }

@@ -78,6 +78,29 @@ double GetLargestEigenvalue(double (&a)[3][3])
 }
 
 //------------------------------------------------------------------------------
+vtkMTView vtkMTView::FromProjection(const std::array<double, 16>& modelToEye, const double projection[16],
+  const std::array<int, 2>& size, const double range[2])
+{
+  // A little more than what the planes say: the rasteriser rounds, and culling must not.
+  constexpr double margin = 1e-6;
+  vtkMTView view;
+  view.ModelToEye = modelToEye;
+  view.UpdateStretch();
+  view.ParallelProjection = projection[15] != 0.0;
+  view.PixelsPerUnit = 0.0;
+  for (int i = 0; i < 2; ++i)
+  {
+    const double scale = std::abs(projection[5 * i]);
+    const double shift = std::abs(projection[4 * i + (view.ParallelProjection ? 3 : 2)]);
+    view.HalfSize[i] = (1.0 + shift) / scale;
+    view.PixelsPerUnit = std::max(view.PixelsPerUnit, 0.5 * scale * size[i]);
+  }
+  view.Near = range[0] * (1.0 - margin);
+  view.Far = range[1] * (1.0 + margin);
+  return view;
+}
+
+//------------------------------------------------------------------------------
 void vtkMTView::UpdateStretch()
 {
   double largest = 0.0;

@@ -34,6 +34,14 @@ struct VTKMTCORE_EXPORT vtkMTView
   double Near = 0.0;                          ///< distances along the axis; what lies outside is not drawn
   double Far = 1e300;
 
+  /**
+   * From a camera's matrices, row-major, so that parallel, oblique and explicit projections are covered; where the
+   * frustum is not symmetric, the larger half counts. projection takes eye space to the cube of +-1, size is that of the
+   * picture in pixels, range the clipping range.
+   */
+  static vtkMTView FromProjection(const std::array<double, 16>& modelToEye, const double projection[16],
+    const std::array<int, 2>& size, const double range[2]);
+
   /// Fills Stretch from ModelToEye.
   void UpdateStretch();
 

@@ -1,22 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulation.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationExecutivePortVectorKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
-#include "vtkMTAssembler.h"
 #include "vtkMTCut.h"
+#include "vtkMTCutMesh.h"
 #include "vtkMTGraph.h"
-#include "vtkMTMeshToPolyData.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTPlacement.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
+#include "vtkTrivialProducer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkMultiTriangulation);
+vtkInformationKeyMacro(vtkMultiTriangulation, USES_PATCHES, Integer);
+
+namespace
+{
+//------------------------------------------------------------------------------
+// The first consumer of an output port that makes something of what it takes and does not know of patches, or null.
+vtkAlgorithm* FindUnawareConsumer(vtkAlgorithm* producer, int port)
+{
+  vtkInformation* info = producer->GetOutputInformation(port);
+  const int count = info ? vtkExecutive::CONSUMERS()->Length(info) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkExecutive* executive = vtkExecutive::CONSUMERS()->GetExecutives(info)[i];
+    vtkAlgorithm* consumer = executive ? executive->GetAlgorithm() : nullptr;
+    vtkInformation* input =
+      consumer ? consumer->GetInputPortInformation(vtkExecutive::CONSUMERS()->GetPorts(info)[i]) : nullptr;
+    if (input && consumer->GetNumberOfOutputPorts() > 0 && !input->Has(vtkMultiTriangulation::USES_PATCHES()))
+    {
+      return consumer;
+    }
+  }
+  return nullptr;
+}
+}
 
 //------------------------------------------------------------------------------
-vtkMultiTriangulation::vtkMultiTriangulation() = default;
+vtkMultiTriangulation::vtkMultiTriangulation()
+  : Frame(vtkMTPlacement().Matrix)
+{
+}
 
 //------------------------------------------------------------------------------
 vtkMultiTriangulation::~vtkMultiTriangulation() = default;
@@ -39,6 +73,8 @@ void vtkMultiTriangulation::CopySource(vtkDataObject* from)
   vtkMultiTriangulation* other = vtkMultiTriangulation::SafeDownCast(from);
   this->Source = other ? other->GetSource() : nullptr;
   this->SourcePoints = this->Source ? this->Points : nullptr;
+  this->Frame = this->Source ? other->Frame : vtkMTPlacement().Matrix;
+  this->CutIsChosen = this->Source && other->CutIsChosen;
 }
 
 //------------------------------------------------------------------------------
@@ -77,26 +113,135 @@ void vtkMultiTriangulation::Initialize()
   this->Superclass::Initialize();
   this->Source.reset();
   this->SourcePoints = nullptr;
+  this->Frame = vtkMTPlacement().Matrix;
+  this->CutIsChosen = false;
 }
 
 //------------------------------------------------------------------------------
-bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> source)
+bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> source, double error)
 {
   this->Initialize();
   if (!source)
   {
     return true;
   }
-  std::string error;
-  if (!vtkMultiTriangulation::CutToPolyData(*source, vtkMTCut(source->GetGraph()), this, error))
+  const bool isChosen = error < std::numeric_limits<double>::infinity();
+  const vtkMTGraph& graph = isChosen ? source->GetGraph() : source->GetKnownGraph();
+  vtkMTCut cut(graph);
+  for (std::uint32_t node = 1; isChosen && node < graph.Nodes.size(); ++node)
+  {
+    if (graph.Nodes[node].Error > error)
+    {
+      cut.RefineWithDependencies(node);
+    }
+  }
+  std::string reason;
+  if (!vtkMultiTriangulation::CutToPolyData(*source, cut, this, reason))
   {
     this->Initialize();
-    vtkErrorMacro("The coarsest patches of " << source->GetName() << " cannot be read: " << error);
+    vtkErrorMacro("The patches of " << source->GetName() << " cannot be read: " << reason);
     return false;
   }
   this->Source = std::move(source);
   this->SourcePoints = this->Points;
+  this->CutIsChosen = isChosen;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulation::ApplyTransform(const double matrix[16])
+{
+  vtkMTPlacement step;
+  std::copy(matrix, matrix + 16, step.Matrix.begin());
+  vtkMTPlacement sum;
+  sum.Matrix = this->Frame;
+  sum.Append(matrix);
+  if (!vtkMTPlacement::IsSound(matrix) || !vtkMTPlacement::IsSound(sum.Matrix.data()))
+  {
+    vtkErrorMacro("A matrix that is not finite and affine, or has no inverse, cannot place a Multi-Triangulation.");
+    return false;
+  }
+  const std::shared_ptr<const vtkMTPatchSource> source = this->GetSource();
+  step.Apply(this);
+  this->Source = source;
+  this->SourcePoints = source ? this->Points : nullptr;
+  this->Frame = source ? sum.Matrix : vtkMTPlacement().Matrix;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::GetFrame(double matrix[16]) const
+{
+  const vtkMTPlacement identity;
+  const std::array<double, 16>& frame = this->GetSource() ? this->Frame : identity.Matrix;
+  std::copy(frame.begin(), frame.end(), matrix);
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiTriangulation::GetStretch() const
+{
+  vtkMTPlacement placement;
+  this->GetFrame(placement.Matrix.data());
+  return placement.GetStretch();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::GetModelBounds(double bounds[6]) const
+{
+  const std::shared_ptr<const vtkMTPatchSource> source = this->GetSource();
+  double box[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }; // as vtkMath::UninitializeBounds
+  if (source)
+  {
+    source->GetKnownGraph().GetBounds(box);
+  }
+  vtkMTPlacement placement;
+  this->GetFrame(placement.Matrix.data());
+  placement.ToObject(box, bounds);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::RegisterInternal(vtkObjectBase* owner, vtkTypeBool check)
+{
+  if (auto* producer = vtkTrivialProducer::SafeDownCast(owner))
+  {
+    this->TrivialProducers.emplace_back(producer);
+  }
+  this->Superclass::RegisterInternal(owner, check);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkMultiTriangulation::GetMTime()
+{
+  if (!this->TrivialProducers.empty())
+  {
+    auto& all = this->TrivialProducers;
+    all.erase(std::remove(all.begin(), all.end(), nullptr), all.end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      this->WarnOfConsumers(all[i], 0);
+    }
+  }
+  return this->Superclass::GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::WarnOfConsumers(vtkAlgorithm* producer, int port)
+{
+  if (this->HasWarned || this->CutIsChosen || !this->GetSource() ||
+    this->GetNumberOfFinestTriangles() == this->GetNumberOfPolys())
+  {
+    return;
+  }
+  if (vtkAlgorithm* consumer = FindUnawareConsumer(producer, port))
+  {
+    this->HasWarned = true;
+    vtkWarningMacro(<< consumer->GetClassName() << " knows nothing of Multi-Triangulations and gets the coarsest cut, "
+                    << this->GetNumberOfPolys() << " of " << this->GetNumberOfFinestTriangles()
+                    << " triangles. Put a vtkMultiTriangulationCutFilter before it, which gives any other cut, or let "
+                       "SetOutputError of vtkMultiTriangulationReader choose what such filters get. (There is one such "
+                       "warning for each object.)");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -109,28 +254,28 @@ std::shared_ptr<const vtkMTPatchSource> vtkMultiTriangulation::GetSource() const
 vtkIdType vtkMultiTriangulation::GetNumberOfNodes()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().Nodes.size()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().Nodes.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfPatches()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().Arcs.size()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().Arcs.size()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfLevels()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfLevels()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().GetNumberOfLevels()) : 0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulation::GetNumberOfFinestTriangles()
 {
   const auto source = this->GetSource();
-  return source ? static_cast<vtkIdType>(source->GetGraph().GetNumberOfFinestTriangles()) : 0;
+  return source ? static_cast<vtkIdType>(source->GetKnownGraph().GetNumberOfFinestTriangles()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -149,25 +294,7 @@ vtkMultiTriangulation* vtkMultiTriangulation::GetData(vtkInformationVector* v, i
 bool vtkMultiTriangulation::CutToPolyData(
   const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error)
 {
-  const vtkMTGraph& graph = source.GetGraph();
-  vtkMTAssembler assembler(graph.Arrays);
-  vtkMTPatch patch;
-  for (std::uint32_t arc : cut.GetArcs())
-  {
-    if (!source.ReadPatch(arc, nullptr, patch, error))
-    {
-      return false;
-    }
-    if (!assembler.Add(patch))
-    {
-      error = "patch " + std::to_string(arc) + ": " + assembler.GetError();
-      return false;
-    }
-  }
-  if (!vtkMTMeshToPolyData::Convert(assembler.GetMesh(), graph.Lattice, graph.Arrays, output))
-  {
-    error = source.GetName() + ": the exact points are farther from the lattice than the model's largest shift";
-    return false;
-  }
-  return true;
+  vtkMTCutMesh mesh;
+  mesh.Arcs = cut.GetArcs();
+  return mesh.Make(source, output, error);
 }

@@ -9,7 +9,16 @@
  * never copied. The handle ends with the points that it came with: a filter that copies the structure and then gives it
  * new points (a transform, say) has made another surface, and drawing the old patches for it would be wrong.
  *
- * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it.
+ * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it. A filter that does not know
+ * this class works on the points and cells, which are those of the coarsest cut unless SetSource was asked for a finer
+ * one. It does so silently nowhere: the first time that such a filter is found behind this object, a warning names it
+ * and what to do about it (vtkMultiTriangulationCutFilter). Filters that use the patches say so by the key USES_PATCHES
+ * on their input port. Mappers and writers, which have no output, are not warned of.
+ *
+ * Placement: the patches lie on the lattice and stay there. The object has an affine map from the lattice's coordinates
+ * to its own, the frame: the identity, until ApplyTransform. Points and cells of the object, its bounds, and what the
+ * toolkit's mapper, locator and filters make of it are in the object's coordinates. Errors in those are the model's
+ * times GetStretch.
  */
 #ifndef vtkMultiTriangulation_h
 #define vtkMultiTriangulation_h
@@ -17,11 +26,18 @@
 #include "vtkMTCoreModule.h" // For export macro
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
+#include <array>
+#include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
-class vtkMTPatchSource;
+class vtkAlgorithm;
+class vtkInformationIntegerKey;
 class vtkMTCut;
+class vtkMTPatchSource;
 
 class VTKMTCORE_EXPORT vtkMultiTriangulation : public vtkPolyData
 {
@@ -34,14 +50,32 @@ public:
   void DeepCopy(vtkDataObject* source) override;
   void CopyStructure(vtkDataSet* source) override;
   void Initialize() override;
+  /// Looks, on the way, at who takes the object from a vtkTrivialProducer (SetInputData), and warns as described above.
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * A filter that makes use of the patches sets this key to 1 on its input port, in FillInputPortInformation: it is not
+   * warned of.
+   */
+  static vtkInformationIntegerKey* USES_PATCHES();
+
+  /**
+   * For algorithms that have a vtkMultiTriangulation on an output port, in RequestData and ComputePipelineMTime: warns
+   * of consumers of that port as described above. At most one warning in the life of this object, and none where
+   * SetSource was given an error.
+   */
+  void WarnOfConsumers(vtkAlgorithm* producer, int port);
 
 #ifndef __VTK_WRAP__ // Python has no patch source
   ///@{
   /**
-   * The patches. SetSource also fills the points and cells with the coarsest cut and its arrays; it returns false, with
-   * an error event, when the coarsest patches cannot be read, and is then empty.
+   * The patches. SetSource also fills the points and cells, with all arrays, from the coarsest cut whose certified
+   * distance to the input is at most `error`, in model units, or from the finest level where that is not enough;
+   * infinity, the default, is the coarsest cut of all, and NaN is taken for it. It returns false, with an error event,
+   * when a patch cannot be read, and is then empty. The frame is the identity again.
    */
-  bool SetSource(std::shared_ptr<const vtkMTPatchSource> source);
+  bool SetSource(std::shared_ptr<const vtkMTPatchSource> source,
+    double error = std::numeric_limits<double>::infinity());
   /// Null when there is none, and from the moment when the points have been replaced.
   std::shared_ptr<const vtkMTPatchSource> GetSource() const;
   ///@}
@@ -57,6 +91,26 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Moves the object: its points, its active point normals and the frame. The matrix is row-major, in the coordinates
+   * that the object has now, so calls add up. Nothing is read, and the patches are shared as before. A matrix that
+   * mirrors turns the triangles. False, with an error event and nothing done, unless the matrix is finite, affine and
+   * has an inverse. Other arrays, vectors too, stay as they are.
+   */
+  bool ApplyTransform(const double matrix[16]);
+  /// From the coordinates of the lattice to those of the object, row-major.
+  void GetFrame(double matrix[16]) const;
+  /// The largest factor by which the frame lengthens a distance: the largest singular value of its linear part.
+  double GetStretch() const;
+  ///@}
+
+  /**
+   * Bounds that hold every cut, in the object's coordinates; from the DAG, nothing is read. The frame turns the box of
+   * the lattice's axes, so under a rotation they are not the tightest. Uninitialised bounds where there are no patches.
+   */
+  void GetModelBounds(double bounds[6]) const;
+
+  ///@{
   /// From an information object, as in every VTK data class.
   static vtkMultiTriangulation* GetData(vtkInformation* info);
   static vtkMultiTriangulation* GetData(vtkInformationVector* v, int i = 0);
@@ -64,8 +118,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * The welded mesh of any cut as polydata, with all arrays of the model. Returns false, with the reason in error, when
-   * a patch cannot be read.
+   * The welded mesh of any cut of the source's known graph as polydata, with all arrays of the model, in the
+   * coordinates of the lattice. Returns false, with the reason in error, when a patch cannot be read.
    */
   static bool CutToPolyData(
     const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);
@@ -75,6 +129,8 @@ protected:
   vtkMultiTriangulation();
   ~vtkMultiTriangulation() override;
 
+  void RegisterInternal(vtkObjectBase* owner, vtkTypeBool check) override;
+
 private:
   vtkMultiTriangulation(const vtkMultiTriangulation&) = delete;
   void operator=(const vtkMultiTriangulation&) = delete;
@@ -83,6 +139,10 @@ private:
 
   std::shared_ptr<const vtkMTPatchSource> Source;
   vtkSmartPointer<vtkPoints> SourcePoints; // those which the handle belongs to
+  std::array<double, 16> Frame;
+  bool CutIsChosen = false; // the points and cells are what somebody asked for
+  bool HasWarned = false;
+  std::vector<vtkWeakPointer<vtkAlgorithm>> TrivialProducers;
 };
 
 #endif

@@ -51,10 +51,10 @@ public:
 
   void Run(const vtkMTDeviation::Relation& relation, vtkMTDeviation::Findings& findings)
   {
-    for (std::size_t t = 0; t < relation.FloorReach.size(); ++t)
+    for (std::size_t t = 0; t < relation.FloorDeviations.size(); ++t)
     {
-      this->Down.Before[t] = relation.FloorReach[t].FromInput;
-      this->Up.After[t] = relation.FloorReach[t].ToInput;
+      this->Down.Before[t] = relation.FloorDeviations[t].FromInput;
+      this->Up.After[t] = relation.FloorDeviations[t].ToInput;
     }
     this->PlacePoints(relation.Heirs);
     this->CheckFarthestPoint();
@@ -115,7 +115,8 @@ private:
       std::uint32_t farthest = None;
       for (std::uint32_t p = 0; p < this->Places.size(); ++p)
       {
-        if (this->Places[p].Triangle != None && (farthest == None || this->GetReach(p) > this->GetReach(farthest)))
+        if (this->Places[p].Triangle != None &&
+          (farthest == None || this->GetDistanceFromPlace(p) > this->GetDistanceFromPlace(farthest)))
         {
           farthest = p;
         }
@@ -126,10 +127,10 @@ private:
       }
       const std::uint32_t out = this->Floor.GetHalfedge(farthest);
       Place& place = this->Places[farthest];
-      const double reach = this->GetReach(farthest);
+      const double distance = this->GetDistanceFromPlace(farthest);
       std::uint32_t guess = place.Triangle;
       const double here = this->Down.Visit(this->Floor.GetPlace(out), out / 3, guess);
-      if (reach <= vtkMTDeviation::Looseness * here || guess == place.Triangle)
+      if (distance <= vtkMTDeviation::Looseness * here || guess == place.Triangle)
       {
         return;
       }
@@ -137,7 +138,7 @@ private:
     }
   }
 
-  double GetReach(std::uint32_t p) const
+  double GetDistanceFromPlace(std::uint32_t p) const
   {
     return this->Places[p].Distance + this->Down.Before[this->Floor.GetHalfedge(p) / 3];
   }
@@ -248,12 +249,13 @@ private:
 
   void Gather(vtkMTDeviation::Findings& findings)
   {
-    findings.Reach.resize(this->Fragment.GetNumberOfTriangles());
-    for (std::size_t s = 0; s < findings.Reach.size(); ++s)
+    findings.Deviations.resize(this->Fragment.GetNumberOfTriangles());
+    for (std::size_t s = 0; s < findings.Deviations.size(); ++s)
     {
-      vtkMTTriangleDeviation& reach = findings.Reach[s];
-      reach = { RoundUp(this->Up.GetBoundOfTriangle()[s]), RoundUp(this->Down.GetBoundOnTriangle()[s]) };
-      this->Result.UpperBound = std::max({ this->Result.UpperBound, double(reach.ToInput), double(reach.FromInput) });
+      vtkMTTriangleDeviation& deviation = findings.Deviations[s];
+      deviation = { RoundUp(this->Up.GetBoundOfTriangle()[s]), RoundUp(this->Down.GetBoundOnTriangle()[s]) };
+      this->Result.UpperBound =
+        std::max({ this->Result.UpperBound, double(deviation.ToInput), double(deviation.FromInput) });
     }
     findings.FloorTriangle = std::move(this->FloorTriangle);
   }

@@ -37,7 +37,7 @@ struct vtkMTTriangleDeviation
 
 struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
 {
-  double UpperBound = 0.0; ///< the largest reach of the fragment's triangles; the floor's own counted, steps
+  double UpperBound = 0.0; ///< the largest deviation of the fragment's triangles; the floor's own counted, steps
   double LowerBound = 0.0; ///< about what bounds without any looseness would have given, never above UpperBound, steps
   std::size_t TrianglesByPieces = 0; ///< of both meshes
   std::size_t Pieces = 0;            ///< pieces that were looked at beyond whole triangles
@@ -45,7 +45,7 @@ struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
 
   /// How far above its own lower bound a piece's bound may stay: 1.1 times.
   static constexpr double Looseness = 1.1;
-  /// How much of the lower bound of the whole a piece may reach and be left as it is.
+  /// How much of the lower bound of the whole a piece's bound may be and the piece be left as it is.
   static constexpr double Share = 0.6;
   /// Pieces allowed per triangle of the two meshes together.
   static constexpr std::size_t PiecesPerTriangle = 40;
@@ -56,13 +56,13 @@ struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
     /// [floor's points] the fragment's point that each was merged into, or None (~0): where to look for it first. Empty
     /// when nothing is known.
     std::vector<std::uint32_t> Heirs;
-    std::vector<vtkMTTriangleDeviation> FloorReach; ///< [floor's triangles] empty when the floor is the input
+    std::vector<vtkMTTriangleDeviation> FloorDeviations; ///< [floor's triangles] empty when the floor is the input
   };
   /// What is known of the fragment afterwards.
   struct Findings
   {
-    std::vector<vtkMTTriangleDeviation> Reach; ///< [fragment's triangles]
-    std::vector<std::uint32_t> FloorTriangle;  ///< [fragment's triangles] one of the floor that lies over or near it
+    std::vector<vtkMTTriangleDeviation> Deviations; ///< [fragment's triangles]
+    std::vector<std::uint32_t> FloorTriangle; ///< [fragment's triangles] one of the floor that lies over or near it
   };
 
   /// Of two meshes with the same origin. Both must have triangles.

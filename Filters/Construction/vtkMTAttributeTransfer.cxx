@@ -53,7 +53,7 @@ void Interpolate(const unsigned char* column, const std::array<std::uint32_t, 3>
     {
       Value value;
       std::memcpy(&value, column + wedges[c] * size + i * sizeof(Value), sizeof(Value));
-      // A value that is not a number must not reach a corner with weight 0.
+      // A value that is not a number must not get to a corner with weight 0.
       sum += weights[c] != 0.0 ? weights[c] * static_cast<double>(value) : 0.0;
     }
     if (isDirection && i < 3)
@@ -196,9 +196,9 @@ private:
   Hit Find(const Vector& x, const Vector& direction, std::uint32_t triangle)
   {
     // A step of the lattice more: what is certified as zero is not computed as zero.
-    const double reach = this->Meshes.Findings.Reach[triangle].ToInput + 1.0;
+    const double farthest = this->Meshes.Findings.Deviations[triangle].ToInput + 1.0;
     const auto isThere = [&](const Hit& hit)
-    { return hit.Distance2 <= reach * reach && Dot(this->Floor.GetNormal(hit.Triangle), direction) > 0.0; };
+    { return hit.Distance2 <= farthest * farthest && Dot(this->Floor.GetNormal(hit.Triangle), direction) > 0.0; };
     const std::uint32_t guess = this->Meshes.Findings.FloorTriangle[triangle];
     if (guess != Hit::None)
     {

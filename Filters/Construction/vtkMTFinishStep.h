@@ -3,8 +3,8 @@
  * @class vtkMTFinishStep
  * @brief writes the coarsest patches and makes the DAG of all that was recorded
  *
- * The last fragments are the patches of the arcs that leave the source. Nodes go from coarse to fine between source and
- * sink; errors and spheres are saturated, and the sink finishes the model.
+ * The last fragments are the patches of the arcs that leave the source. The graph gets the settings that had an
+ * influence on it, and vtkMTFinishGraph does the rest.
  */
 #ifndef vtkMTFinishStep_h
 #define vtkMTFinishStep_h

@@ -116,13 +116,14 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
   }
 }
 
-void vtkMTInputFragment::Encode(std::vector<unsigned char>& mesh, std::vector<unsigned char>& orientation) const
+void vtkMTInputFragment::Encode(std::vector<unsigned char>& bytes) const
 {
-  vtkMTPatchRecord::Encode(this->Mesh, mesh);
-  orientation.clear();
-  vtkMTBytes::Writer writer(orientation);
+  bytes.clear();
+  bytes.reserve(this->Mesh.GetMemorySize() + 256);
+  vtkMTBytes::Writer writer(bytes);
+  vtkMTPatchRecord::Put(this->Mesh, writer);
   writer.PutList(this->Pieces);
-  // As a rule a fragment is one piece and all of its triangles agree: nothing has to be said then.
+  // As a rule a fragment is connected and all of its triangles agree: nothing has to be stored then.
   const auto& turned = this->Orientation.IsTurned;
   if (this->Pieces.size() > 1 || std::find(turned.begin(), turned.end(), 1) != turned.end())
   {
@@ -131,14 +132,10 @@ void vtkMTInputFragment::Encode(std::vector<unsigned char>& mesh, std::vector<un
   }
 }
 
-bool vtkMTInputFragment::Decode(
-  const std::vector<unsigned char>& mesh, const std::vector<unsigned char>& orientation, std::string& error)
+bool vtkMTInputFragment::Decode(const std::vector<unsigned char>& bytes, std::string& error)
 {
-  if (!vtkMTPatchRecord::Decode(mesh, this->Mesh, error))
-  {
-    return false;
-  }
-  vtkMTBytes::Reader reader(orientation);
+  vtkMTBytes::Reader reader(bytes);
+  vtkMTPatchRecord::Take(reader, this->Mesh); // what is wrong with it shows in the reader
   reader.TakeList(this->Pieces);
   this->Orientation.PieceOf.assign(this->Mesh.Triangles.size(), 0);
   this->Orientation.IsTurned.assign(this->Mesh.Triangles.size(), 0);

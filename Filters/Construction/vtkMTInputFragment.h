@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTInputFragment
- * @brief one region of the input as a fragment of M_0: put together, with what is needed to finish it
+ * @brief one region of the input as a fragment of M_0: assembled, with what is needed to finish it
  *
  * A fragment is made in two steps, as its orientation and the normals at its shared points depend on other fragments.
- * Make puts the region's triangles and points together, finds the pieces that hang together and the terms of shared
- * normals; Finish turns triangles round, adds normals and the reach of the input. In between it is kept as bytes.
+ * Make assembles the region's triangles and points, finds its connected parts and the terms of shared normals. Then
+ * triangles are turned round and normals added. In between it is kept as bytes.
  */
 #ifndef vtkMTInputFragment_h
 #define vtkMTInputFragment_h
@@ -42,9 +42,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
 
   ///@{
   /// Mesh, orientation and pieces, as bytes.
-  void Encode(std::vector<unsigned char>& mesh, std::vector<unsigned char>& orientation) const;
-  bool Decode(
-    const std::vector<unsigned char>& mesh, const std::vector<unsigned char>& orientation, std::string& error);
+  void Encode(std::vector<unsigned char>& bytes) const;
+  bool Decode(const std::vector<unsigned char>& bytes, std::string& error);
   ///@}
 
   void TurnRound(const vtkMTOrientation& orientation);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputFragmentStep.h"
 
+#include "vtkMTCertifiedMesh.h"
 #include "vtkMTInputSpool.h"
-#include "vtkMTPatchRecord.h"
 #include "vtkMTPointNormals.h"
-#include "vtkMTRegionStep.h"
 #include "vtkMTStageTimes.h"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ void Count(std::map<std::string, std::int64_t>& report, const char* reason, std:
 }
 
 vtkMTInputFragmentStep::vtkMTInputFragmentStep(
-  const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals)
+  const vtkMTBuildSettings& settings, vtkMTSequenceState& state, std::uint32_t regions, bool makesNormals)
   : Settings(settings)
   , State(state)
   , NumberOfRegions(regions)
@@ -39,13 +38,13 @@ bool vtkMTInputFragmentStep::Fail(const std::string& error)
 
 bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 {
-  this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State.LevelTriangles[0] });
+  this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State.LevelElements[0] });
   return !this->Aborted || this->Fail("aborted");
 }
 
 bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(), input.GetPointTupleSizes(),
     input.GetCellTupleSizes(), this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
@@ -61,7 +60,7 @@ bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSp
   this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory / 2);
   this->SharedIds = std::make_unique<vtkMTSharedIds>(store, memory / 2);
   if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
-    !state.Barycentres.Begin(store, vtkMTBuildState::GetBarycentresName(0), this->Error))
+    !state.Barycentres.Begin(store, vtkMTSequenceState::GetBarycentresName(0), this->Error))
   {
     return false;
   }
@@ -118,18 +117,16 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
       return false;
     }
   }
-  Bytes mesh;
-  Bytes orientation;
-  making.Fragment.Encode(mesh, orientation);
-  return this->Fragments.Put(region, mesh.data(), mesh.size(), error) &&
-    this->Fragments.Put(region, orientation.data(), orientation.size(), error) &&
+  Bytes bytes;
+  making.Fragment.Encode(bytes);
+  return this->Fragments.Put(region, bytes.data(), bytes.size(), error) &&
     this->State.Barycentres.Put(making.Barycentres, error);
 }
 
 //------------------------------------------------------------------------------
 bool vtkMTInputFragmentStep::Finish()
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   {
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
     if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation) || !this->SharedIds->Solve())
@@ -140,7 +137,7 @@ bool vtkMTInputFragmentStep::Finish()
   Count(state.Graph.InputReport, "reoriented_triangles", this->Orientation->GetNumberOfReversedTriangles());
   Count(state.Graph.InputReport, "not_orientable_triangles", this->Orientation->GetNumberOfNonOrientableTriangles());
   if (!state.Fragments.Begin(
-        *this->Settings.Store, vtkMTBuildState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
+        *this->Settings.Store, vtkMTSequenceState::GetFragmentsName(0), this->NumberOfRegions, this->Error))
   {
     return false;
   }
@@ -161,13 +158,13 @@ bool vtkMTInputFragmentStep::Finish()
     [&](std::size_t region, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope write(this->Settings.Times, vtkMTStageTimes::Write);
-      done += slots[slot].Fragment.Mesh.Triangles.size();
+      done += slots[slot].Triangles;
       const Bytes& record = slots[slot].Record;
       return (record.empty() || state.Fragments.Put(region, record.data(), record.size(), error)) &&
         this->Continue("finishing fragments", done);
     });
   this->Fragments.Remove();
-  state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTBuildState::None);
+  state.NodeOfFragment.assign(this->NumberOfRegions, vtkMTSequenceState::None);
   return finished && state.Fragments.Seal(this->Error);
 }
 
@@ -179,7 +176,7 @@ bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, s
   {
     return false;
   }
-  if (records.size() == 2 && !finishing.Fragment.Decode(records[0], records[1], error))
+  if (!records.empty() && !finishing.Fragment.Decode(records[0], error))
   {
     return false;
   }
@@ -195,6 +192,7 @@ bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, s
 void vtkMTInputFragmentStep::FinishOne(Finishing& finishing) const
 {
   vtkMTInputFragment& fragment = finishing.Fragment;
+  finishing.Triangles = fragment.Mesh.Triangles.size();
   if (fragment.Mesh.Triangles.empty())
   {
     return;
@@ -206,8 +204,10 @@ void vtkMTInputFragmentStep::FinishOne(Finishing& finishing) const
     std::copy(finishing.SharedNormals.begin(), finishing.SharedNormals.end(), normals.begin());
     fragment.AddNormals(normals);
   }
-  vtkMTRegionStep::AppendReachOfInput(fragment.Mesh);
-  vtkMTPatchRecord::Encode(fragment.Mesh, finishing.Record);
+  vtkMTCertifiedMesh certified; // it is the input itself: all deviations are zero
+  certified.Mesh = std::move(fragment.Mesh);
+  certified.Deviations.resize(certified.Mesh.Triangles.size());
+  certified.Encode(finishing.Record);
 }
 
 bool vtkMTInputFragmentStep::ForAllRegions(

@@ -3,7 +3,7 @@
  * @class vtkMTInputFragmentStep
  * @brief the fragments of mesh M_0, made of the input's triangles and points by region
  *
- * Make puts every region's records together, in parallel: all but what depends on other fragments. Finish turns round
+ * Make assembles every region's records, in parallel: all but what depends on other fragments. Finish turns round
  * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
  * (vtkMTSharedIds), and fills the state.
  */
@@ -11,12 +11,12 @@
 #define vtkMTInputFragmentStep_h
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTInputFragment.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTOrientation.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTSharedIds.h"
 #include "vtkMTSharedNormals.h"
 
@@ -31,7 +31,7 @@ class VTKMTCONSTRUCTION_EXPORT vtkMTInputFragmentStep
 {
 public:
   vtkMTInputFragmentStep(
-    const vtkMTBuildSettings& settings, vtkMTBuildState& state, std::uint32_t regions, bool makesNormals);
+    const vtkMTBuildSettings& settings, vtkMTSequenceState& state, std::uint32_t regions, bool makesNormals);
   ~vtkMTInputFragmentStep();
 
   ///@{
@@ -54,6 +54,7 @@ private:
   {
     vtkMTInputFragment Fragment;
     std::vector<std::array<float, 3>> SharedNormals;
+    std::size_t Triangles = 0;
     Bytes Record;
   };
 
@@ -66,7 +67,7 @@ private:
     const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
 
   const vtkMTBuildSettings& Settings;
-  vtkMTBuildState& State;
+  vtkMTSequenceState& State;
   const std::uint32_t NumberOfRegions;
   const bool MakesNormals;
   std::string Error;

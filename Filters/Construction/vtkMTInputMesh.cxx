@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputMesh.h"
 
-#include "vtkMTBuildState.h"
 #include "vtkMTExactPoints.h"
 #include "vtkMTFarOutliers.h"
 #include "vtkMTInputFragmentStep.h"
@@ -11,6 +10,7 @@
 #include "vtkMTPartitionStrategy.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTPointWelding.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMTTrimHeap.h"
@@ -99,7 +99,7 @@ public:
   {
   }
 
-  bool Read(vtkMTTriangleStream& stream, vtkMTBuildState& state)
+  bool Read(vtkMTTriangleStream& stream, vtkMTSequenceState& state)
   {
     this->State = &state;
     vtkMTInputSpool input(this->Settings);
@@ -111,16 +111,16 @@ public:
       this->Aborted = input.WasAborted();
       return this->Error.empty() ? this->Fail(input.GetError()) : false;
     }
-    state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
+    state.LevelElements.assign(1, input.GetNumberOfTriangles());
     if (!this->CheckTriangles(input) || !this->FindOutliers(input, outliers))
     {
       return false;
     }
     this->SetUpArrays(stream, input.IsSingle());
-    state.Graph.InputTriangles = input.GetInputTriangles();
+    state.Graph.InputCounts.Triangles = input.GetInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
-    state.LevelTriangles.assign(1, input.GetNumberOfTriangles());
+    state.LevelElements.assign(1, input.GetNumberOfTriangles());
     vtkMTPointWelding stitch(*this->Settings.Store, this->Settings.SortMemory / 4);
     this->Regions = std::make_unique<vtkMTInputRegions>(
       this->Settings, input, this->Settings.ExactPoints ? &this->Exact : nullptr, this->Settings.SortMemory / 4 * 3);
@@ -150,7 +150,7 @@ private:
 
   bool Continue(const char* step, std::uint64_t done)
   {
-    this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State->LevelTriangles[0] });
+    this->Aborted = !this->Settings.Report({ 0.0, step, 0, done, this->State->LevelElements[0] });
     return !this->Aborted || this->Fail("aborted");
   }
 
@@ -396,7 +396,7 @@ private:
   }
 
   const vtkMTBuildSettings& Settings;
-  vtkMTBuildState* State = nullptr;
+  vtkMTSequenceState* State = nullptr;
   bool MakesNormals = false;
   vtkMTArrayInfo Exact; // of use when exact points are asked for
   std::uint32_t NumberOfRegions = 0;
@@ -410,7 +410,7 @@ vtkMTInputMesh::vtkMTInputMesh(const vtkMTBuildSettings& settings)
 
 vtkMTInputMesh::~vtkMTInputMesh() = default;
 
-bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, vtkMTBuildState& state)
+bool vtkMTInputMesh::Read(vtkMTTriangleStream& stream, vtkMTSequenceState& state)
 {
   return this->Implementation->Read(stream, state);
 }

@@ -25,7 +25,7 @@
 #include <memory>
 #include <string>
 
-class vtkMTBuildState;
+class vtkMTSequenceState;
 class vtkMTTriangleStream;
 
 class VTKMTCONSTRUCTION_EXPORT vtkMTInputMesh
@@ -36,7 +36,7 @@ public:
 
   /// Fills a state that has just been made. False with a message in GetError; an input without a usable triangle is an
   /// error, and so is one with more than a few far outliers unless they are to be kept.
-  bool Read(vtkMTTriangleStream& stream, vtkMTBuildState& state);
+  bool Read(vtkMTTriangleStream& stream, vtkMTSequenceState& state);
 
   const std::string& GetError() const;
   /// What a person should know of the input; empty as a rule.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTLevelLoop.h"
 
-#include "vtkMTBuildState.h"
-#include "vtkMTBytes.h"
+#include "vtkMTCheckpoint.h"
 #include "vtkMTFinishStep.h"
 #include "vtkMTPatchSink.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTSimplifyStep.h"
 #include "vtkMTSplitStep.h"
 #include "vtkMTTrimHeap.h"
@@ -12,8 +12,6 @@
 namespace
 {
 constexpr std::uint32_t MaximumLevels = 60; // identities have room for 61
-
-using Bytes = std::vector<unsigned char>;
 }
 
 class vtkMTLevelLoop::Internals
@@ -26,16 +24,16 @@ public:
   {
   }
 
-  bool Run(vtkMTBuildState& state)
+  bool Run(vtkMTSequenceState& state)
   {
     this->State = &state;
-    if (state.Level == 0 && state.Stage == vtkMTBuildState::HasFragments && !this->Commit())
+    if (state.Level == 0 && state.Stage == vtkMTSequenceState::HasFragments && !this->Commit())
     {
       return false;
     }
-    while (state.Stage == vtkMTBuildState::HasPatches || !this->IsFinished())
+    while (state.Stage == vtkMTSequenceState::HasPatches || !this->IsFinished())
     {
-      const bool done = state.Stage == vtkMTBuildState::HasFragments
+      const bool done = state.Stage == vtkMTSequenceState::HasFragments
         ? this->RunStep(vtkMTSplitStep(this->Options, this->Sink, state))
         : this->RunStep(vtkMTSimplifyStep(this->Options, this->Sink, state));
       if (!done || !this->Commit())
@@ -68,25 +66,20 @@ private:
   bool Commit()
   {
     const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
-    Bytes sink;
-    if (!this->Options.Store->IsLasting() || !this->Sink.Save(sink))
+    vtkMTCheckpoint checkpoint;
+    if (!this->Options.Store->IsLasting() || !this->Sink.Save(checkpoint.Sink))
     {
       return this->Sink.GetError().empty() || this->Fail(this->Sink.GetError());
     }
-    Bytes state;
-    this->State->Save(state);
-    Bytes bytes;
-    vtkMTBytes::Writer writer(bytes);
-    writer.PutText(this->Identity);
-    writer.PutList(state);
-    writer.PutList(sink);
-    this->HasCommitted = this->Options.Store->Commit(bytes, this->Error) || this->HasCommitted;
+    checkpoint.Identity = this->Identity;
+    this->State->Save(checkpoint.State);
+    this->HasCommitted = checkpoint.Write(*this->Options.Store, this->Error) || this->HasCommitted;
     return this->Error.empty();
   }
 
   bool IsFinished() const
   {
-    const auto& counts = this->State->LevelTriangles;
+    const auto& counts = this->State->LevelElements;
     const std::uint32_t level = this->State->Level;
     if (this->State->NodeOfFragment.size() <= 1 && counts.back() <= this->Options.PatchTriangles)
     {
@@ -100,7 +93,7 @@ private:
   const vtkMTBuildSettings Options;
   vtkMTPatchSink& Sink;
   const std::string Identity;
-  vtkMTBuildState* State = nullptr;
+  vtkMTSequenceState* State = nullptr;
 };
 
 vtkMTLevelLoop::vtkMTLevelLoop(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, const std::string& identity)
@@ -110,29 +103,9 @@ vtkMTLevelLoop::vtkMTLevelLoop(const vtkMTBuildSettings& settings, vtkMTPatchSin
 
 vtkMTLevelLoop::~vtkMTLevelLoop() = default;
 
-bool vtkMTLevelLoop::Run(vtkMTBuildState& state)
+bool vtkMTLevelLoop::Run(vtkMTSequenceState& state)
 {
   return this->Implementation->Run(state);
-}
-
-bool vtkMTLevelLoop::ReadCheckpoint(vtkMTSpoolStore& store, Checkpoint& checkpoint, std::string& error)
-{
-  checkpoint = Checkpoint();
-  Bytes bytes;
-  if (!store.Restore(bytes, error))
-  {
-    return false;
-  }
-  if (bytes.empty())
-  {
-    return true;
-  }
-  vtkMTBytes::Reader reader(bytes);
-  checkpoint.Identity = reader.TakeText();
-  reader.TakeList(checkpoint.State);
-  reader.TakeList(checkpoint.Sink);
-  error = reader.IsSound() && reader.IsAtEnd() ? error : "the checkpoint does not hold what was kept";
-  return reader.IsSound() && reader.IsAtEnd();
 }
 
 const std::string& vtkMTLevelLoop::GetError() const

@@ -6,10 +6,10 @@
  * BMT section 4. Mesh M_0 is the input. On every level i the fragments of the regions of Psi_i together are the mesh
  * M_i. One turn of the loop (vtkMTSplitStep, vtkMTSimplifyStep) places the regions of Psi_(i+1) by the barycentres of
  * M_i, splits the fragments into the patches of the crossing (each patch is an arc from the node of its Psi_(i+1)
- * region to that of its Psi_i region, or to the sink), puts the patches of each Psi_(i+1) region together as a floor
- * and simplifies it to half its triangles: M_(i+1). The loop ends when one region is left with no more triangles than a
- * patch should have, or when two turns in a row removed less than a tenth of the triangles; the last fragments are the
- * arcs that leave the source.
+ * region to that of its Psi_i region, or to the sink), assembles the patches of each Psi_(i+1) region as a floor and
+ * simplifies it to half its triangles (the strategy's reduction): M_(i+1). The loop ends when one region is left with
+ * no more triangles than a patch should have, or when two turns in a row removed less than a tenth of the triangles;
+ * the last fragments are the arcs that leave the source.
  *
  * Memory: fragments and patches are in spools, and only those that are worked on are in memory. What grows with the
  * mesh is a few dozen bytes per region and the DAG's records.
@@ -30,13 +30,13 @@
 #include <string>
 #include <vector>
 
-class vtkMTBuildState;
+class vtkMTSequenceState;
 class vtkMTPatchSink;
 
 class VTKMTCONSTRUCTION_EXPORT vtkMTLevelLoop
 {
 public:
-  /// identity: kept in every checkpoint; ReadCheckpoint gives it back.
+  /// identity: kept in every checkpoint (vtkMTCheckpoint).
   vtkMTLevelLoop(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, const std::string& identity);
   ~vtkMTLevelLoop();
 
@@ -44,19 +44,7 @@ public:
    * Goes on from the state to the end. The sink has begun, or was restored. False on failure, with a message in
    * GetError; the sink is then neither finished nor abandoned.
    */
-  bool Run(vtkMTBuildState& state);
-
-  /**
-   * The last checkpoint in the settings' store: whose build it is of, and the bytes of state and sink, which are empty
-   * when there is none. False when it cannot be read.
-   */
-  struct Checkpoint
-  {
-    std::string Identity;
-    std::vector<unsigned char> State;
-    std::vector<unsigned char> Sink;
-  };
-  static bool ReadCheckpoint(vtkMTSpoolStore& store, Checkpoint& checkpoint, std::string& error);
+  bool Run(vtkMTSequenceState& state);
 
   const std::string& GetError() const;
   bool WasAborted() const;

@@ -3,12 +3,10 @@
 
 #include "vtkMTArcRecord.h"
 #include "vtkMTMemoryPlan.h"
-#include "vtkMTPatchRecord.h"
-#include "vtkMTRegionStep.h"
 
 #include <algorithm>
 
-vtkMTLevelStep::vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state)
+vtkMTLevelStep::vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTSequenceState& state)
   : Options(settings)
   , Sink(sink)
   , State(state)
@@ -25,11 +23,12 @@ bool vtkMTLevelStep::Fail(const std::string& error)
 
 bool vtkMTLevelStep::Continue(const char* step, std::uint64_t triangles)
 {
-  // Every level halves, so all levels together have about twice the input's triangles.
-  const double fraction =
-    static_cast<double>(this->State.SimplifiedTriangles) / (2.0 * static_cast<double>(this->State.LevelTriangles[0]));
+  // Every level is smaller by the reduction: with 2, all levels together have about twice the input's triangles.
+  const double reduction = this->Options.Reduction;
+  const double all = reduction / (reduction - 1.0) * static_cast<double>(this->State.LevelElements[0]);
+  const double fraction = static_cast<double>(this->State.SimplifiedTriangles) / all;
   this->Aborted = !this->Options.Report(
-    { std::min(1.0, fraction), step, this->State.Level + 1, triangles, this->State.LevelTriangles[this->State.Level] });
+    { std::min(1.0, fraction), step, this->State.Level + 1, triangles, this->State.LevelElements[this->State.Level] });
   return !this->Aborted || this->Fail("aborted");
 }
 
@@ -53,7 +52,7 @@ bool vtkMTLevelStep::ForAll(const vtkMTRecordSpool& spool, std::size_t keys, con
   return false;
 }
 
-// Simplifying needs the most: what is too large for that is found before it is cut, so that one message says it all.
+// Simplifying needs the most: what is too large for that is found before it is split, so that one message says it all.
 bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t keys)
 {
   const std::uint64_t limit = this->Options.WorkMemory;
@@ -64,7 +63,7 @@ bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t key
   }
   const double needed = this->Options.MemoryPerByteSimplified * static_cast<double>(bytes);
   // Fragments of the input are a fifth shorter than their patches; what regions need is estimated on the safe side.
-  const bool isInput = this->State.Stage == vtkMTBuildState::HasFragments && this->State.Level == 0;
+  const bool isInput = this->State.Stage == vtkMTSequenceState::HasFragments && this->State.Level == 0;
   const auto wanted = static_cast<std::uint64_t>(needed * (isInput ? 1.25 : 0.95));
   return limit == 0 || wanted <= limit ||
     this->Fail("the largest region needs about " + vtkMTMemoryPlan::ToText(wanted) + " of memory where " +
@@ -72,7 +71,8 @@ bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t key
       vtkMTMemoryPlan::ToText(wanted - limit));
 }
 
-bool vtkMTLevelStep::TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& isEmpty, std::string& error) const
+bool vtkMTLevelStep::TakeFragment(
+  std::size_t fragment, vtkMTCertifiedMesh& mesh, bool& isEmpty, std::string& error) const
 {
   std::vector<Bytes> records;
   if (!this->State.Fragments.Take(fragment, records, error))
@@ -80,13 +80,12 @@ bool vtkMTLevelStep::TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& 
     return false;
   }
   isEmpty = records.empty();
-  return isEmpty || vtkMTPatchRecord::Decode(records[0], mesh, error);
+  return isEmpty || mesh.Decode(records[0], error);
 }
 
 bool vtkMTLevelStep::PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const
 {
   const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-  vtkMTRegionStep::RemoveReach(patch);
   result.Arc = vtkMTMakeArcRecord(patch, this->State.Graph.Lattice.Step);
   result.Patch = this->Sink.Prepare(std::move(patch), error);
   return result.Patch != nullptr;

@@ -10,10 +10,10 @@
 #define vtkMTLevelStep_h
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTOrderedWork.h"
 #include "vtkMTPatchSink.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTStageTimes.h"
 
 #include <memory>
@@ -23,7 +23,7 @@
 class VTKMTCONSTRUCTION_EXPORT vtkMTLevelStep
 {
 public:
-  vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state);
+  vtkMTLevelStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTSequenceState& state);
   virtual ~vtkMTLevelStep();
 
   /// False with a message in GetError.
@@ -56,16 +56,15 @@ protected:
   std::size_t GetNumberOfSlots() const { return vtkMTOrderedWork::GetNumberOfSlots(this->Options.Threads); }
 
   ///@{
-  /// By any thread: the fragment's mesh; what the sink makes of a patch, which loses its reach. By one thread: the arc
-  /// and its patch.
-  bool TakeFragment(std::size_t fragment, vtkMTPatch& mesh, bool& isEmpty, std::string& error) const;
+  /// By any thread: the fragment's mesh; what the sink makes of a patch. By one thread: the arc and its patch.
+  bool TakeFragment(std::size_t fragment, vtkMTCertifiedMesh& mesh, bool& isEmpty, std::string& error) const;
   bool PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const;
   bool WritePatch(PatchToWrite&& patch, std::uint32_t fromNode, std::uint32_t toNode, std::string& error);
   ///@}
 
   const vtkMTBuildSettings& Options;
   vtkMTPatchSink& Sink;
-  vtkMTBuildState& State;
+  vtkMTSequenceState& State;
   std::string Error;
 
 private:

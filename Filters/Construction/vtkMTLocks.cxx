@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTLocks.h"
 
-#include "vtkMTRecordSpool.h"
+#include "vtkMTRegionSpool.h"
 
 #include <algorithm>
 #include <cstring>
@@ -53,7 +53,7 @@ bool vtkMTLocks::AddShared(std::uint64_t id, std::vector<std::uint32_t>& regions
   return added;
 }
 
-bool vtkMTLocks::Finish(vtkMTRecordSpool& regions, std::string& error)
+bool vtkMTLocks::Finish(vtkMTRegionSpool& regions, std::string& error)
 {
   std::vector<std::uint32_t> users;
   std::uint64_t last = 0;
@@ -75,7 +75,7 @@ bool vtkMTLocks::Finish(vtkMTRecordSpool& regions, std::string& error)
   // Equal keys come in the order in which they were added, which is that of the ids.
   std::vector<std::uint64_t> ids;
   const unsigned char* record = this->Locked.Next();
-  for (std::uint64_t region = 0; region < regions.GetNumberOfKeys(); ++region)
+  for (std::uint64_t region = 0; region < regions.GetNumberOfRegions(); ++region)
   {
     ids.clear();
     for (; record && vtkMTRecordSort::GetKey(record) == region; record = this->Locked.Next())
@@ -83,8 +83,7 @@ bool vtkMTLocks::Finish(vtkMTRecordSpool& regions, std::string& error)
       ids.emplace_back();
       std::memcpy(&ids.back(), record + sizeof(region), sizeof(std::uint64_t));
     }
-    if (this->Locked.HasFailed() ||
-      !regions.Put(static_cast<std::size_t>(region), ids.data(), ids.size() * sizeof(ids[0]), error))
+    if (this->Locked.HasFailed() || !regions.PutLocks(static_cast<std::size_t>(region), ids, error))
     {
       error = this->Locked.HasFailed() ? this->Locked.GetError() : error;
       return false;

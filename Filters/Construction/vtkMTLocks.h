@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-class vtkMTRecordSpool;
+class vtkMTRegionSpool;
 
 class VTKMTCONSTRUCTION_EXPORT vtkMTLocks
 {
@@ -29,8 +29,8 @@ public:
   /// (id, region): triangles of that region use that point. Repetitions do no harm.
   bool Add(const std::vector<std::pair<std::uint64_t, std::uint32_t>>& uses, std::string& error);
 
-  /// Puts one more record under every key: the ids, in increasing order, of the points that are locked in that region.
-  bool Finish(vtkMTRecordSpool& regions, std::string& error);
+  /// Gives every region of the spool its locks.
+  bool Finish(vtkMTRegionSpool& regions, std::string& error);
 
 private:
   bool AddShared(std::uint64_t id, std::vector<std::uint32_t>& regions);

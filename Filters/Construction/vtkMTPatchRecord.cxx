@@ -44,11 +44,8 @@ void TakeColumns(vtkMTBytes::Reader& reader, std::vector<vtkMTColumn>& columns, 
 }
 }
 
-void vtkMTPatchRecord::Encode(const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
+void vtkMTPatchRecord::Put(const vtkMTPatch& patch, vtkMTBytes::Writer& writer)
 {
-  bytes.clear();
-  bytes.reserve(patch.GetMemorySize() + 256);
-  vtkMTBytes::Writer writer(bytes);
   writer.PutList(patch.Points);
   writer.PutList(patch.Ids);
   writer.PutList(patch.WedgePoints);
@@ -57,17 +54,30 @@ void vtkMTPatchRecord::Encode(const vtkMTPatch& patch, std::vector<unsigned char
   PutColumns(writer, patch.CellColumns);
 }
 
-bool vtkMTPatchRecord::Decode(const std::vector<unsigned char>& bytes, vtkMTPatch& patch, std::string& error)
+bool vtkMTPatchRecord::Take(vtkMTBytes::Reader& reader, vtkMTPatch& patch)
 {
   constexpr std::size_t largestTuple = 1024;
-  vtkMTBytes::Reader reader(bytes);
   reader.TakeList(patch.Points);
   reader.TakeList(patch.Ids);
   reader.TakeList(patch.WedgePoints);
   reader.TakeList(patch.Triangles);
   TakeColumns(reader, patch.PointColumns, largestTuple * patch.GetNumberOfWedges());
   TakeColumns(reader, patch.CellColumns, largestTuple * patch.Triangles.size());
-  if (!reader.IsSound() || !reader.IsAtEnd())
+  return reader.IsSound();
+}
+
+void vtkMTPatchRecord::Encode(const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
+{
+  bytes.clear();
+  bytes.reserve(patch.GetMemorySize() + 256);
+  vtkMTBytes::Writer writer(bytes);
+  Put(patch, writer);
+}
+
+bool vtkMTPatchRecord::Decode(const std::vector<unsigned char>& bytes, vtkMTPatch& patch, std::string& error)
+{
+  vtkMTBytes::Reader reader(bytes);
+  if (!Take(reader, patch) || !reader.IsAtEnd())
   {
     error = "temporary data does not hold the patch that was written";
     return false;

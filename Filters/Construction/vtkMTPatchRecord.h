@@ -3,7 +3,7 @@
  * @class vtkMTPatchRecord
  * @brief a patch as bytes, for the spools of the construction
  *
- * Plain and fast: lists one behind the other. Columns of zeros, such as the reach of the input, take no room. Never
+ * Plain and fast: lists one behind the other. Columns of zeros take no room. Never
  * part of a file: patches are encoded for that by the sink.
  */
 #ifndef vtkMTPatchRecord_h
@@ -15,8 +15,20 @@
 #include <string>
 #include <vector>
 
+namespace vtkMTBytes
+{
+class Reader;
+class Writer;
+}
+
 struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchRecord
 {
+  ///@{
+  /// As a part of a record. Take gives false when the bytes are not those of a patch.
+  static void Put(const vtkMTPatch& patch, vtkMTBytes::Writer& writer);
+  static bool Take(vtkMTBytes::Reader& reader, vtkMTPatch& patch);
+  ///@}
+
   /// Replaces what is in bytes.
   static void Encode(const vtkMTPatch& patch, std::vector<unsigned char>& bytes);
   /// False with a message in error when the bytes are not those of a patch.

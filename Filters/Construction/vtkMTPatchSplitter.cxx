@@ -209,9 +209,10 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
   std::vector<std::uint32_t> scratch(fragment.GetNumberOfWedges() + fragment.Points.size(), None);
   for (std::size_t g = 0; g < groups.Regions.size(); ++g)
   {
-    result.Pieces.push_back({ groups.Regions[g],
-      Extract(fragment, groups.GetTriangles(g), isShared, ids, pointTupleSizes, cellTupleSizes, scratch) });
-    for (const std::uint64_t id : result.Pieces.back().Patch.Ids)
+    std::vector<std::uint32_t> triangles = groups.GetTriangles(g);
+    vtkMTPatch patch = Extract(fragment, triangles, isShared, ids, pointTupleSizes, cellTupleSizes, scratch);
+    result.Parts.push_back({ groups.Regions[g], std::move(patch), std::move(triangles) });
+    for (const std::uint64_t id : result.Parts.back().Patch.Ids)
     {
       result.Uses.emplace_back(id, groups.Regions[g]);
     }

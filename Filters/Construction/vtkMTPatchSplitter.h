@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPatchSplitter
- * @brief cuts one region's fragment into the patches of the crossing with the next partition
+ * @brief splits one region's fragment into the patches of the crossing with the next partition
  *
  * Identity: points that the fragment shares with other fragments have their ids already (they come first in the
- * fragment); points that the cut makes shared get new ones, unique by level, region and a number within the fragment,
+ * fragment); points that the split makes shared get new ones, unique by level, region and a number within the fragment,
  * which runs along the borders of the patches (vtkMTBorderOrder). Everything else stays without.
  */
 #ifndef vtkMTPatchSplitter_h
@@ -19,12 +19,13 @@
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchSplitter
 {
-  struct Piece
+  struct Part
   {
     std::uint32_t Region; ///< of the next partition
     vtkMTPatch Patch;
+    std::vector<std::uint32_t> Triangles; ///< of the fragment: what the patch's were, in their order
   };
-  std::vector<Piece> Pieces; ///< sorted by region
+  std::vector<Part> Parts; ///< sorted by region
   /// For every shared point, old or new, and every next region whose triangles use it here: its id and that region.
   std::vector<std::pair<std::uint64_t, std::uint32_t>> Uses;
 

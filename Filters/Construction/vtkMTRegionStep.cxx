@@ -10,11 +10,8 @@
 #include "vtkMTStageTimes.h"
 #include "vtkMTSurface.h"
 
-#include "vtkType.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -132,20 +129,6 @@ vtkMTPatch MakeFragment(
   return fragment;
 }
 
-vtkMTColumn ToColumn(const std::vector<vtkMTTriangleDeviation>& reach)
-{
-  vtkMTColumn column(reach.size() * sizeof(vtkMTTriangleDeviation));
-  std::memcpy(column.data(), reach.data(), column.size());
-  return column;
-}
-
-std::vector<vtkMTTriangleDeviation> FromColumn(const vtkMTColumn& column)
-{
-  std::vector<vtkMTTriangleDeviation> reach(column.size() / sizeof(vtkMTTriangleDeviation));
-  std::memcpy(reach.data(), column.data(), column.size());
-  return reach;
-}
-
 vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
 {
   const vtkMTBox box = mesh.GetBox();
@@ -158,53 +141,35 @@ vtkMTPoint GetMiddle(const vtkMTPatch& mesh)
 }
 }
 
-void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& reach)
+// Without triangles on failure, with a message in error. The patches are consumed.
+vtkMTCertifiedMesh vtkMTRegionStep::Assemble(
+  std::vector<vtkMTCertifiedMesh>& patches, const std::vector<vtkMTArrayInfo>& arrays, std::string& error)
 {
-  const double way =
-    vtkMTCoarsePoints::Round(this->Fragment, vtkMTCoarsePoints::ChooseShift(this->Error, this->EdgeLength));
-  // A bound in double precision is a bound still after one more rounding up.
-  const auto add = [](double sum)
-  { return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity()); };
-  for (std::size_t t = 0; t < reach.size() && way > 0.0; ++t)
+  vtkMTCertifiedMesh floor;
+  vtkMTAssembler assembler(arrays);
+  for (vtkMTCertifiedMesh& patch : patches)
   {
-    reach[t] = { add(reach[t].ToInput + way), add(reach[t].FromInput + way) };
-    this->Error = std::max({ this->Error, double(reach[t].ToInput), double(reach[t].FromInput) });
-  }
-}
-
-vtkMTArrayInfo vtkMTRegionStep::GetReachInfo()
-{
-  static_assert(sizeof(vtkMTTriangleDeviation) == 2 * sizeof(float), "two numbers without padding");
-  vtkMTArrayInfo info;
-  info.Name = "reach";
-  info.Association = vtkMTArrayInfo::Cell;
-  info.Type = VTK_FLOAT;
-  info.Components = 2;
-  return info;
-}
-
-void vtkMTRegionStep::AppendReachOfInput(vtkMTPatch& mesh)
-{
-  mesh.CellColumns.push_back(ToColumn(std::vector<vtkMTTriangleDeviation>(mesh.Triangles.size())));
-}
-
-bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& context, std::string& error)
-{
-  vtkMTAssembler assembler(*context.Arrays);
-  for (vtkMTPatch& patch : floorPatches)
-  {
-    if (!assembler.Add(patch))
+    if (!assembler.Add(patch.Mesh))
     {
       error = assembler.GetError();
-      return false;
+      return vtkMTCertifiedMesh();
     }
-    patch = vtkMTPatch();
+    floor.Deviations.insert(floor.Deviations.end(), patch.Deviations.begin(), patch.Deviations.end());
+    patch = vtkMTCertifiedMesh();
   }
-  vtkMTPatch floor = assembler.TakeMesh();
-  vtkMTDeviation::Relation relation;
-  relation.FloorReach = FromColumn(floor.CellColumns.back());
-  RemoveReach(floor);
-  const std::vector<vtkMTArrayInfo> inputArrays(context.Arrays->begin(), context.Arrays->end() - 1);
+  floor.Mesh = assembler.TakeMesh();
+  return floor;
+}
+
+bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const Context& context, std::string& error)
+{
+  vtkMTCertifiedMesh certifiedFloor = Assemble(floorPatches, *context.Arrays, error);
+  const vtkMTPatch& floor = certifiedFloor.Mesh;
+  if (floor.Triangles.empty())
+  {
+    error = error.empty() ? "the patches of a region have no triangles" : error;
+    return false;
+  }
   this->FloorTriangles = floor.Triangles.size();
   std::vector<unsigned char> locked(floor.Points.size());
   for (std::size_t p = 0; p < locked.size(); ++p)
@@ -213,7 +178,8 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
   }
   this->HasFullySharedBorder = HasBorderOfFinerRegions(floor, locked, context.FloorLevel);
   vtkMTSimplification simplification;
-  const std::size_t target = std::max<std::size_t>(1, floor.Triangles.size() / 2);
+  const auto target =
+    std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(floor.Triangles.size()) / context.Reduction));
   {
     const vtkMTStageTimes::Scope simplify(vtkMTStageTimes::Simplify);
     if (!context.Simplifier->Simplify(floor, locked, target, simplification, error))
@@ -222,22 +188,44 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTPatch>& floorPatches, const Context& 
     }
   }
   const vtkMTStageTimes::Scope certify(vtkMTStageTimes::Certify);
-  this->Fragment = MakeFragment(simplification, locked, floor);
-  relation.Heirs = std::move(simplification.Heirs);
-  const vtkMTPoint origin = GetMiddle(floor);
-  const vtkMTSurface floorSurface(floor, origin);
-  const vtkMTSurface fragmentSurface(this->Fragment, origin);
-  vtkMTDeviation::Findings findings;
-  this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
-  this->EdgeLength = this->Fragment.GetMeanEdgeLength();
-  this->RoundPoints(findings.Reach);
-  simplification.Points = this->Fragment.Points;
-  vtkMTAttributeTransfer::Run(
-    { floor, floorSurface, fragmentSurface, simplification, findings }, inputArrays, this->Fragment);
-  this->Fragment.CellColumns.push_back(ToColumn(findings.Reach));
-  if (this->Fragment.Triangles.size() > target)
+  this->Fragment.Mesh = MakeFragment(simplification, locked, floor);
+  this->Certify(
+    floor, { std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) }, simplification, *context.Arrays);
+  if (this->Fragment.Mesh.Triangles.size() > target)
   {
     this->Blocked = std::move(simplification.Blocked);
   }
   return true;
+}
+
+// Bounds the fragment's deviation, rounds its points, and gives it the floor's attributes.
+void vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation,
+  vtkMTSimplification& simplification, const std::vector<vtkMTArrayInfo>& arrays)
+{
+  vtkMTPatch& mesh = this->Fragment.Mesh;
+  const vtkMTPoint origin = GetMiddle(floor);
+  const vtkMTSurface floorSurface(floor, origin);
+  const vtkMTSurface fragmentSurface(mesh, origin);
+  vtkMTDeviation::Findings findings;
+  this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
+  this->EdgeLength = mesh.GetMeanEdgeLength();
+  this->RoundPoints(findings.Deviations);
+  simplification.Points = mesh.Points;
+  vtkMTAttributeTransfer::Run({ floor, floorSurface, fragmentSurface, simplification, findings }, arrays, mesh);
+  this->Fragment.Deviations = std::move(findings.Deviations);
+}
+
+void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations)
+{
+  const double way =
+    vtkMTCoarsePoints::Round(this->Fragment.Mesh, vtkMTCoarsePoints::ChooseShift(this->Error, this->EdgeLength));
+  // A bound in double precision is a bound still after one more rounding up.
+  const auto add = [](double sum)
+  { return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity()); };
+  for (std::size_t t = 0; t < deviations.size() && way > 0.0; ++t)
+  {
+    vtkMTTriangleDeviation& deviation = deviations[t];
+    deviation = { add(deviation.ToInput + way), add(deviation.FromInput + way) };
+    this->Error = std::max({ this->Error, double(deviation.ToInput), double(deviation.FromInput) });
+  }
 }

@@ -1,34 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTSimplifyStep.h"
 
-#include "vtkMTPatchRecord.h"
-#include "vtkMTSimplifier.h"
-
-#include <algorithm>
-
-vtkMTSimplifyStep::vtkMTSimplifyStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state)
-  : vtkMTLevelStep(settings, sink, state)
-  , CarriedArrays(state.Graph.Arrays)
-{
-  this->CarriedArrays.push_back(vtkMTRegionStep::GetReachInfo());
-}
-
 bool vtkMTSimplifyStep::Run()
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   const std::uint32_t next = state.Level + 1;
   std::vector<Result> results(this->GetNumberOfSlots());
-  state.NodeOfFragment.assign(state.NextRegions, vtkMTBuildState::None);
+  state.NodeOfFragment.assign(state.NextRegions, vtkMTSequenceState::None);
   std::uint64_t left = 0;
   std::uint64_t triangles = 0;
   if (!state.Fragments.Begin(
-        *this->Options.Store, vtkMTBuildState::GetFragmentsName(next), state.NextRegions, this->Error) ||
-    !state.Barycentres.Begin(*this->Options.Store, vtkMTBuildState::GetBarycentresName(next), this->Error))
+        *this->Options.Store, vtkMTSequenceState::GetFragmentsName(next), state.NextRegions, this->Error) ||
+    !state.Barycentres.Begin(*this->Options.Store, vtkMTSequenceState::GetBarycentresName(next), this->Error))
   {
     return false;
   }
   const bool done = this->ForAll(
-    state.Patches, state.NextRegions, { this->Options.WorkMemory, this->Options.MemoryPerByteSimplified },
+    state.Patches.GetRecords(), state.NextRegions, { this->Options.WorkMemory, this->Options.MemoryPerByteSimplified },
     [&](std::size_t region, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope assemble(this->Options.Times, vtkMTStageTimes::Assemble);
@@ -37,7 +25,7 @@ bool vtkMTSimplifyStep::Run()
     [&](std::size_t region, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
-      left += results[slot].Step.Fragment.Triangles.size();
+      left += results[slot].Step.Fragment.Mesh.Triangles.size();
       triangles += results[slot].Step.FloorTriangles;
       return this->PutFragment(next, region, results[slot], error) && this->Continue("simplifying", triangles);
     });
@@ -49,50 +37,40 @@ bool vtkMTSimplifyStep::Run()
   {
     state.Arcs[a].FromNode = state.NodeOfFragment[state.Arcs[a].FromNode];
   }
-  state.LevelTriangles.push_back(left);
+  state.LevelElements.push_back(left);
   state.Patches.Remove();
   state.Level = next;
-  state.Stage = vtkMTBuildState::HasFragments;
+  state.Stage = vtkMTSequenceState::HasFragments;
   return true;
 }
 
 bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::string& error) const
 {
   result = Result();
-  std::vector<Bytes> records;
+  vtkMTRegionRecords records;
   if (!this->State.Patches.Take(region, records, error))
   {
     return false;
   }
-  if (records.size() < 2)
+  if (records.Patches.empty())
   {
     return true; // a region that lost all its triangles to its neighbours
   }
-  std::vector<vtkMTPatch> patches(records.size() - 1);
-  for (std::size_t i = 0; i < patches.size(); ++i)
-  {
-    if (!vtkMTPatchRecord::Decode(records[i], patches[i], error))
-    {
-      return false;
-    }
-    records[i] = Bytes();
-  }
-  std::vector<std::uint64_t> locks(records.back().size() / sizeof(std::uint64_t));
-  std::copy_n(records.back().data(), locks.size() * sizeof(locks[0]), reinterpret_cast<unsigned char*>(locks.data()));
-  const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->CarriedArrays, &locks, this->State.Level };
-  if (!result.Step.Run(patches, context, error))
+  const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->State.Graph.Arrays, &records.Locks,
+    this->State.Level, this->Options.Reduction };
+  if (!result.Step.Run(records.Patches, context, error))
   {
     return false;
   }
   const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-  result.Barycentres = vtkMTBarycentreSpool::GetBarycentres(result.Step.Fragment);
-  vtkMTPatchRecord::Encode(result.Step.Fragment, result.Record);
+  result.Barycentres = vtkMTBarycentreSpool::GetBarycentres(result.Step.Fragment.Mesh);
+  result.Step.Fragment.Encode(result.Record);
   return true;
 }
 
 bool vtkMTSimplifyStep::PutFragment(std::uint32_t level, std::size_t region, const Result& result, std::string& error)
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   const vtkMTRegionStep& step = result.Step;
   if (step.FloorTriangles == 0)
   {

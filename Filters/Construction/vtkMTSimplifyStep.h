@@ -3,7 +3,7 @@
  * @class vtkMTSimplifyStep
  * @brief puts fragments in the place of a level's patches
  *
- * For every region of Psi_(i+1), in parallel: its patches are put together as a floor, simplified and certified
+ * For every region of Psi_(i+1), in parallel: its patches are assembled as a floor, simplified and certified
  * (vtkMTRegionStep). The fragment goes to the spool of M_(i+1), and the region becomes a node.
  */
 #ifndef vtkMTSimplifyStep_h
@@ -17,7 +17,7 @@
 class VTKMTCONSTRUCTION_EXPORT vtkMTSimplifyStep : public vtkMTLevelStep
 {
 public:
-  vtkMTSimplifyStep(const vtkMTBuildSettings& settings, vtkMTPatchSink& sink, vtkMTBuildState& state);
+  using vtkMTLevelStep::vtkMTLevelStep;
   bool Run() override;
 
 private:
@@ -30,8 +30,6 @@ private:
 
   bool SimplifyRegion(std::size_t region, Result& result, std::string& error) const;
   bool PutFragment(std::uint32_t level, std::size_t region, const Result& result, std::string& error);
-
-  std::vector<vtkMTArrayInfo> CarriedArrays; // the input's and, last, the reach
 };
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "vtkMTLocks.h"
 #include "vtkMTPartitionStrategy.h"
-#include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTSliverMerge.h"
 
@@ -18,7 +17,7 @@ std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
   const int level = static_cast<int>(this->State.Level) + 1;
   const vtkMTStageTimes::Scope seed(this->Options.Times, vtkMTStageTimes::Seed, true);
   scan.SetContinue([this] { return this->Continue("placing regions", 0); });
-  auto partition = this->Options.Partition->Build(scan, 2.0 * this->Options.GetRegionTarget(), level);
+  auto partition = this->Options.Partition->Build(scan, this->Options.GetFloorTarget(), level);
   if (!partition)
   {
     this->Error = this->WasAborted()
@@ -36,13 +35,13 @@ std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
 //------------------------------------------------------------------------------
 bool vtkMTSplitStep::Run()
 {
-  vtkMTBuildState& state = this->State;
+  vtkMTSequenceState& state = this->State;
   const auto partition = this->MakePartition();
   if (!partition)
   {
     return false;
   }
-  if (!state.Patches.Begin(*this->Options.Store, vtkMTBuildState::GetPatchesName(state.Level),
+  if (!state.Patches.Begin(*this->Options.Store, vtkMTSequenceState::GetPatchesName(state.Level),
         partition->GetNumberOfRegions(), this->Error))
   {
     return false;
@@ -54,7 +53,7 @@ bool vtkMTSplitStep::Run()
   const std::size_t sortMemory = this->Options.SortMemory / 4;
   vtkMTLocks locks(*this->Options.Store, sortMemory);
   const Room room{ this->Options.WorkMemory > 0 ? this->Options.WorkMemory - sortMemory : 0,
-    this->Options.MemoryPerByteCut };
+    this->Options.MemoryPerByteSplit };
   const bool done = this->ForAll(
     state.Fragments, state.NodeOfFragment.size(), room,
     [&](std::size_t fragment, std::size_t slot, std::string& error)
@@ -66,8 +65,8 @@ bool vtkMTSplitStep::Run()
     {
       const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
       triangles += splits[slot].Triangles;
-      return this->PutPieces(state.NodeOfFragment[fragment], splits[slot], error) &&
-        locks.Add(splits[slot].Uses, error) && this->Continue("cutting patches", triangles);
+      return this->PutPatches(state.NodeOfFragment[fragment], splits[slot], error) &&
+        locks.Add(splits[slot].Uses, error) && this->Continue("splitting fragments", triangles);
     });
   const vtkMTStageTimes::Scope sort(this->Options.Times, vtkMTStageTimes::Sort);
   if (!done || !locks.Finish(state.Patches, this->Error) || !state.Patches.Seal(this->Error))
@@ -81,7 +80,7 @@ bool vtkMTSplitStep::Run()
   }
   state.Fragments.Remove();
   state.Barycentres.Remove();
-  state.Stage = vtkMTBuildState::HasPatches;
+  state.Stage = vtkMTSequenceState::HasPatches;
   return true;
 }
 
@@ -89,12 +88,13 @@ bool vtkMTSplitStep::SplitFragment(
   const vtkMTPartition& partition, std::size_t fragment, Result& result, std::string& error) const
 {
   result = Result();
-  vtkMTPatch mesh;
+  vtkMTCertifiedMesh whole;
   bool isEmpty = false;
-  if (!this->TakeFragment(fragment, mesh, isEmpty, error))
+  if (!this->TakeFragment(fragment, whole, isEmpty, error))
   {
     return false;
   }
+  const vtkMTPatch& mesh = whole.Mesh;
   if (isEmpty || mesh.Triangles.empty())
   {
     return true;
@@ -111,16 +111,22 @@ bool vtkMTSplitStep::SplitFragment(
   vtkMTPatchSplitter split =
     vtkMTPatchSplitter::Split(mesh, regions, this->State.Level, static_cast<std::uint32_t>(fragment));
   result.Uses = std::move(split.Uses);
-  for (vtkMTPatchSplitter::Piece& piece : split.Pieces)
+  for (vtkMTPatchSplitter::Part& part : split.Parts)
   {
-    result.Regions.push_back(piece.Region);
+    vtkMTCertifiedMesh patch{ std::move(part.Patch), {} };
+    patch.Deviations.reserve(part.Triangles.size());
+    for (const std::uint32_t t : part.Triangles)
+    {
+      patch.Deviations.push_back(whole.Deviations[t]);
+    }
+    result.Regions.push_back(part.Region);
     result.Records.emplace_back();
     {
       const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-      vtkMTPatchRecord::Encode(piece.Patch, result.Records.back());
+      vtkMTRegionSpool::EncodePatch(patch, result.Records.back());
     }
     result.Patches.emplace_back();
-    if (!this->PreparePatch(std::move(piece.Patch), result.Patches.back(), error))
+    if (!this->PreparePatch(std::move(patch.Mesh), result.Patches.back(), error))
     {
       return false;
     }
@@ -128,13 +134,13 @@ bool vtkMTSplitStep::SplitFragment(
   return true;
 }
 
-bool vtkMTSplitStep::PutPieces(std::uint32_t toNode, Result& result, std::string& error)
+bool vtkMTSplitStep::PutPatches(std::uint32_t toNode, Result& result, std::string& error)
 {
   for (std::size_t i = 0; i < result.Regions.size(); ++i)
   {
     const std::uint32_t region = result.Regions[i];
     if (!this->WritePatch(std::move(result.Patches[i]), region, toNode, error) ||
-      !this->State.Patches.Put(region, result.Records[i].data(), result.Records[i].size(), error))
+      !this->State.Patches.PutPatch(region, result.Records[i], error))
     {
       return false;
     }

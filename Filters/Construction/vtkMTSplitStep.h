@@ -3,8 +3,8 @@
  * @class vtkMTSplitStep
  * @brief puts patches in the place of a level's fragments: BMT section 4, the crossing of two partitions
  *
- * Places the regions of Psi_(i+1) by the barycentres of M_i and cuts every fragment along them. The pieces are patches:
- * to the sink for the file, and to the spool of patches under their region, with the list of the region's locks.
+ * Places the regions of Psi_(i+1) by the barycentres of M_i and splits every fragment along them. Its parts are
+ * patches: to the sink for the file, and to the spool of patches under their region, with the region's locks.
  */
 #ifndef vtkMTSplitStep_h
 #define vtkMTSplitStep_h
@@ -26,19 +26,19 @@ public:
   bool Run() override;
 
 private:
-  /// A fragment's pieces on their way to sink and spool.
+  /// A fragment's patches on their way to sink and spool.
   struct Result
   {
     std::size_t Triangles = 0;
     std::vector<std::pair<std::uint64_t, std::uint32_t>> Uses;
-    std::vector<std::uint32_t> Regions; // of the pieces
+    std::vector<std::uint32_t> Regions; // of the patches
     std::vector<PatchToWrite> Patches;
     std::vector<Bytes> Records;
   };
 
   std::unique_ptr<vtkMTPartition> MakePartition();
   bool SplitFragment(const vtkMTPartition& partition, std::size_t fragment, Result& result, std::string& error) const;
-  bool PutPieces(std::uint32_t toNode, Result& result, std::string& error);
+  bool PutPatches(std::uint32_t toNode, Result& result, std::string& error);
 };
 
 #endif

@@ -2,17 +2,18 @@
 #include "vtkMultiTriangulationBuilder.h"
 
 #include "vtkMTBuildProgress.h"
-#include "vtkMTBuildState.h"
+#include "vtkMTCheckpoint.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTInputMesh.h"
 #include "vtkMTLevelLoop.h"
-#include "vtkMTMemoryPlan.h"
-#include "vtkMTStageTimes.h"
 #include "vtkMTMemorySpoolStore.h"
+#include "vtkMTMeshMemory.h"
 #include "vtkMTPatchSink.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTSequenceState.h"
+#include "vtkMTStageTimes.h"
 #include "vtkMTTrimHeap.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulation.h"
@@ -51,6 +52,17 @@ public:
 private:
   int Before;
 };
+
+// The shares of the input's steps in the whole, measured on fractal spheres.
+vtkMTBuildProgress MakeProgress()
+{
+  return vtkMTBuildProgress(
+    { { "reading points", 0.0 }, { "reading triangles", 0.02 }, { "sorting points", 0.04 },
+      { "checking triangles", 0.06 }, { "looking for far outliers", 0.07 }, { "finding barycentres", 0.08 },
+      { "placing regions", 0.11 }, { "sorting into regions", 0.13 }, { "making fragments", 0.17 },
+      { "finishing fragments", 0.2 } },
+    0.22);
+}
 }
 
 vtkMultiTriangulationBuilder::vtkMultiTriangulationBuilder()
@@ -139,7 +151,7 @@ bool vtkMultiTriangulationBuilder::BuildLevels(
   vtkMTTriangleStream& input, vtkMTPatchSink& output, vtkMTSpoolStore& store)
 {
   vtkMTBuildSettings settings;
-  vtkMTBuildState state;
+  vtkMTSequenceState state;
   std::string identity;
   if (!this->Configure(input, store, settings))
   {
@@ -169,6 +181,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.ExactPoints = this->ExactPoints;
   settings.Partition = this->PartitionStrategy;
+  settings.Reduction = this->PartitionStrategy->GetReduction();
   settings.Simplifier = this->Simplifier;
   settings.Threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : omp_get_max_threads();
   return settings;
@@ -176,7 +189,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
 
 vtkMTMemoryPlan vtkMultiTriangulationBuilder::MakeMemoryPlan(const vtkMTTriangleStream& input) const
 {
-  return vtkMTMemoryPlan(input, this->MakeSettings());
+  return vtkMTMemoryPlan(vtkMTMeshMemory(input, this->MakeSettings()).Needs);
 }
 
 bool vtkMultiTriangulationBuilder::Configure(
@@ -185,37 +198,31 @@ bool vtkMultiTriangulationBuilder::Configure(
   settings = this->MakeSettings();
   settings.Store = &store;
   settings.Times = this->StageTimes.get();
-  settings.Progress = [this, progress = vtkMTBuildProgress()](const vtkMTBuildSettings::ProgressReport& report) mutable
+  settings.Progress = [this, progress = MakeProgress()](const vtkMTWorkSettings::ProgressReport& report) mutable
   {
     progress.Update(report);
     this->SetProgressText(progress.GetText().c_str());
     this->UpdateProgress(progress.GetFraction());
     return !vtkMTIsAborted(this);
   };
-  const vtkMTMemoryPlan plan(input, settings);
-  const std::uint64_t limit = static_cast<std::uint64_t>(this->MemoryLimit);
-  if (limit > 0 && limit < plan.GetLeast())
-  {
-    this->ErrorMessage = "a memory limit of " + vtkMTMemoryPlan::ToText(limit) +
-      " for the builder is too small for this mesh: " + vtkMTMemoryPlan::ToText(plan.GetLeast()) +
-      " is the least that would do";
-    return false;
-  }
-  plan.Apply(limit, settings);
-  return true;
+  const vtkMTMeshMemory memory(input, settings);
+  settings.MemoryPerByteSimplified = memory.PerByteSimplified;
+  settings.MemoryPerByteSplit = memory.PerByteSplit;
+  return vtkMTMemoryPlan(memory.Needs)
+    .Apply(static_cast<std::uint64_t>(this->MemoryLimit), settings, this->ErrorMessage);
 }
 
 // The mesh that the level loop goes on from, read or restored.
 bool vtkMultiTriangulationBuilder::Begin(const vtkMTBuildSettings& settings, vtkMTTriangleStream& input,
-  vtkMTPatchSink& output, vtkMTBuildState& state, std::string& identity)
+  vtkMTPatchSink& output, vtkMTSequenceState& state, std::string& identity)
 {
   identity = this->GetIdentity(input);
-  vtkMTLevelLoop::Checkpoint checkpoint;
-  if (this->Resume && !vtkMTLevelLoop::ReadCheckpoint(*settings.Store, checkpoint, this->ErrorMessage))
+  vtkMTCheckpoint checkpoint;
+  if (this->Resume && !checkpoint.Read(*settings.Store, this->ErrorMessage))
   {
     return false;
   }
-  if (!checkpoint.State.empty())
+  if (!checkpoint.IsEmpty())
   {
     this->HasCheckpoint = true;
     if (checkpoint.Identity != identity)
@@ -300,7 +307,19 @@ int vtkMultiTriangulationBuilder::RequestData(
     vtkErrorMacro("No Multi-Triangulation was built: " << this->ErrorMessage << ".");
     return 0;
   }
-  return output->SetSource(store) ? 1 : 0;
+  const bool filled = output->SetSource(store);
+  output->WarnOfConsumers(this, 0);
+  return filled ? 1 : 0;
+}
+
+int vtkMultiTriangulationBuilder::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  if (vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector))
+  {
+    output->WarnOfConsumers(this, 0);
+  }
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)

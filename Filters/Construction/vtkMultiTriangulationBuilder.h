@@ -31,7 +31,7 @@
 #include <memory>
 #include <string>
 
-class vtkMTBuildState;
+class vtkMTSequenceState;
 class vtkMTMemoryPlan;
 class vtkMTPartitionStrategy;
 class vtkMTPatchSink;
@@ -159,6 +159,8 @@ public:
 
   /// Of the settings, strategy and simplifier included.
   vtkMTimeType GetMTime() override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
   /// Makes the output a vtkMultiTriangulation.
   vtkTypeBool ProcessRequest(
@@ -179,7 +181,7 @@ private:
   vtkMTBuildSettings MakeSettings() const;
   bool Configure(const vtkMTTriangleStream& input, vtkMTSpoolStore& store, vtkMTBuildSettings& settings);
   bool Begin(const vtkMTBuildSettings& settings, vtkMTTriangleStream& input, vtkMTPatchSink& output,
-    vtkMTBuildState& state, std::string& identity);
+    vtkMTSequenceState& state, std::string& identity);
   std::string GetIdentity(const vtkMTTriangleStream& input) const;
 
   int PatchTriangles = 1000;

@@ -3,7 +3,7 @@
  * @class vtkMTBarycentreSample
  * @brief an even sample of a mesh's barycentres, and how many there are
  *
- * The scan is cut into runs of `stride` barycentres and one is taken of each, at a place that a hash of the run's
+ * The scan is split into runs of `stride` barycentres and one is taken of each, at a place that a hash of the run's
  * number says: no alignment with the rows of a grid, and the same sample every time. Barycentres that are not finite
  * are left out of everything.
  */

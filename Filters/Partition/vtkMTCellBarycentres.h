@@ -38,7 +38,7 @@ public:
 
   /**
    * The strategy's partition of the barycentres. Progress is told after each scan; as nobody knows how many scans a
-   * strategy will make, it halves what is left each time. Null when progress said stop.
+   * strategy will make, it halves what is left each time. Null when progress asked to stop.
    */
   static std::unique_ptr<vtkMTPartition> Build(const vtkMTPartitionStrategy& strategy,
     const std::vector<Point>& barycentres, double target, int level, const Progress& progress);

@@ -63,9 +63,11 @@ public:
   vtkGetMacro(SliverShare, double);
   ///@}
 
+  ///@{
   /// Elements of the last execution, and how many slivers were dissolved.
   vtkGetMacro(NumberOfPatches, vtkIdType);
   vtkGetMacro(NumberOfSlivers, vtkIdType);
+  ///@}
 
 protected:
   vtkMTCrossing();

@@ -3,10 +3,10 @@
  * @class vtkMTHilbertOrder
  * @brief the order of points along a Hilbert curve
  *
- * Neighbours on the curve are neighbours in space, so a piece of the order with n points is a compact set of n points
+ * Neighbours on the curve are neighbours in space, so a part of the order with n points is a compact set of n points
  * whatever the density. The curve has 2^21 steps along each axis of a cube around the points (J. Skilling, "Programming
  * the Hilbert curve", 2004); points in the same step keep the order that they came in. The cube is half as large again
- * as the points need and its place depends on the level, so that the curves of different levels are cut in different
+ * as the points need and its place depends on the level, so that the curves of different levels are split in different
  * places.
  */
 #ifndef vtkMTHilbertOrder_h
@@ -26,7 +26,7 @@ public:
   static std::vector<std::uint32_t> Sort(const std::vector<Point>& points, int level);
 
   /**
-   * The points' order cut into `chunks` pieces with the same number of points, give or take one: chunk c has the places
+   * The points' order split into `chunks` chunks whose numbers of points differ by at most one: chunk c has the places
    * GetChunkBegin(c) to GetChunkBegin(c + 1) of it.
    */
   static std::size_t GetChunkBegin(std::size_t points, std::size_t chunks, std::size_t chunk)

@@ -34,6 +34,10 @@ public:
   /// Bound on triangles in a region over the target.
   static constexpr double MaximumOverload = 4.0;
 
+  /// Triangles of a level over those of the next coarser one, above 1: by this the target grows from one partition of a
+  /// sequence to the next, and floors are simplified. 2 here.
+  virtual double GetReduction() const { return 2.0; }
+
   /// Short name for settings and messages: "v", "regular".
   virtual const char* GetStrategyName() const = 0;
   /// Name and every setting that has an influence on the result, for the model's settings.

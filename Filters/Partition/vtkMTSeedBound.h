@@ -5,7 +5,7 @@
  *
  * A region is overfull when it holds more than MaximumOverload times the target and more than the target besides those
  * barycentres that coincide with its seed: these are of one region whatever is done. An overfull region keeps its seed
- * and gets further ones among its own barycentres: those that do not coincide with the seed are cut along a
+ * and gets further ones among its own barycentres: those that do not coincide with the seed are split along a
  * space-filling curve into chunks of about the target, and the middle of each chunk becomes a seed. A seed that is
  * added never makes another region larger, and takes at least its own barycentre away: so the loop ends.
  *

@@ -29,7 +29,7 @@ public:
   int Level = 0;
 
   /**
-   * Cuts the points along the curve into chunks with the same number of points, give or take one, and gives the mean of
+   * Splits the points along the curve into chunks whose numbers of points differ by at most one, and gives the mean of
    * each. At most one seed per point, at least one.
    */
   static std::vector<Point> PlaceAlongCurve(const std::vector<Point>& points, std::size_t wanted, int level);

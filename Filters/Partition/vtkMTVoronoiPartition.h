@@ -7,14 +7,14 @@
  * set that is found by scanning the mesh's barycentres. Seeds are placed, relaxed and completed:
  *
  * 1. A sample of the barycentres (SamplesPerRegion of the target) is taken in one scan. With SeedPlacement ALONG_CURVE
- * it is sorted along a Hilbert curve and cut into chunks of equal counts; the mean of each chunk is a seed. So the
+ * it is sorted along a Hilbert curve and split into chunks of equal counts; the mean of each chunk is a seed. So the
  * seeds follow the number of triangles, however their density varies. Curves of different levels lie differently, so
  * that successive partitions are not cut in the same places. With RADIUS_SCAN, the paper's way, a second scan makes a
  * seed of each barycentre that is farther than a radius from all seeds before it; the radius is found by bisection on
  * the sample.
  * 2. LloydSteps times, on the sample: regions with less than SmallRegion of the target lose their seed, the other seeds
  * move to the mean of their region (Lloyd's relaxation). With ALONG_CURVE, regions of more than twice the target are
- * cut again along a curve of their own instead.
+ * split again along a curve of their own instead.
  * 3. All barycentres are counted, scan by scan; regions of more than MaximumOverload times the target get further seeds
  *    among their own barycentres until none is left. What remains above the bound are regions where more than
  * MaximumOverload - 1 times the target coincide with the seed, and these hold at most the target besides.

@@ -113,11 +113,11 @@ public:
   }
 
   /// Whether the mesh stays a manifold without twin triangles: the link condition, with care at borders and for closed
-  /// pieces.
+  /// parts.
   bool SatisfiesLink(std::uint32_t h) const;
   ///@{
   /// Reasons to refuse a collapse: it would join two locked vertices by a new edge, or make one that they have a
-  /// border; it would join one vertex to two fans of the same point, which put together again would give an edge with
+  /// border; it would join one vertex to two fans of the same point, which assembled again would give an edge with
   /// four triangles; it would turn a triangle by a right angle or more, or lay two neighbouring triangles back to back
   /// (within a degree). A triangle without area has no side and may turn.
   bool MakesChord(std::uint32_t h, Rule rule) const;

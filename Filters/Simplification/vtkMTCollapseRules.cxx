@@ -289,7 +289,7 @@ bool vtkMTCollapseRegion::SatisfiesLink(std::uint32_t h) const
   return common == 0 && (border || !border0 || !m.IsBorderVertex(m.GetTarget(h))) && !this->IsTetrahedron(h);
 }
 
-// A closed piece of four triangles.
+// A closed component of four triangles.
 bool vtkMTCollapseRegion::IsTetrahedron(std::uint32_t h) const
 {
   const vtkMTCollapseMesh& m = this->Mesh;

@@ -5,10 +5,10 @@
  *
  * A half-edge structure takes oriented manifolds only, and CGAL's add_face rejects the other triangles without a word.
  * Here every triangle stays: two triangles are neighbours across an edge when the edge belongs to exactly these two and
- * they run along it in opposite directions; the triangles around a point that hang together through such edges are a
+ * they run along it in opposite directions; the triangles around a point that are connected through such edges are a
  * fan; every fan becomes a vertex of its own, which remembers its point. Splitting may leave just two of the triangles
  * of a fin at an edge between two fans: these are paired too. A point with several fans must keep its place, so that
- * all of them can be put together again at the end: its vertices are locked. Since an edge that cannot be paired always
+ * all of them can be assembled again at the end: its vertices are locked. Since an edge that cannot be paired always
  * has several fans at both ends, all non-manifold places are locked.
  *
  * Triangles with two corners at the same point are left out. Two triangles with the same three points are never paired

@@ -10,7 +10,7 @@
  * take the values of the input triangle nearest to the new triangle's barycentre. Field data passes.
  *
  * Identity is that of the input's point indices: points that lie at the same place are not merged, so a mesh that is
- * cut open along its seams stays closed only while LockBorder is on.
+ * split open along its seams stays closed only while LockBorder is on.
  *
  * Errors (the output is then empty): vtkErrorCode::UserError for points that are not finite numbers, UnknownError when
  * the simplifier fails.

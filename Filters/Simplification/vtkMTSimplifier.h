@@ -61,6 +61,7 @@ public:
   virtual bool Simplify(const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::size_t target,
     vtkMTSimplification& result, std::string& error) const = 0;
 
+  /// Names the simplifier and its mode, as the model's settings keep it.
   virtual const char* GetSimplifierName() const = 0;
   /// Name and every setting that has an influence on the result.
   virtual std::string GetSettings() const = 0;

@@ -8,28 +8,20 @@
 #include "vtkMTGraph.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPatchCodec.h"
+#include "vtkMTPatchTable.h"
+#include "vtkMTRangeCollector.h"
 #include "vtkMTRelease.h"
 
-#include <array>
 #include <limits>
 #include <new>
 
 using vtkMTFileFormat::Align;
-using vtkMTFileFormat::Section;
-using vtkMTFileFormat::SectionRecord;
 
 namespace
 {
 // In a store.
 const std::string SpoolName = "model-patches";
 const std::string TablesName = "model-tables";
-
-struct EncodedPatch : public vtkMTPatchSink::PreparedPatch
-{
-  std::vector<unsigned char> Bytes;
-  std::vector<Section> Sections; // offsets from the patch's first byte
-  std::array<std::uint32_t, 4> Counts;
-};
 }
 
 struct vtkMTFileSink::Internals
@@ -38,16 +30,14 @@ struct vtkMTFileSink::Internals
   std::vector<vtkMTArrayInfo> Arrays;
   vtkMTSpoolStore* Store = nullptr;
   std::unique_ptr<vtkMTSpool> Spool;  // null: not begun
-  std::unique_ptr<vtkMTSpool> Tables; // what Save has put aside of Sections and Counts
+  std::unique_ptr<vtkMTSpool> Tables; // what Save has put aside of Patches
   std::size_t SavedPatches = 0;
+  std::uint64_t SavedBytes = 0;
   vtkMTFileFormat::Codec Codec = vtkMTFileFormat::Lz4;
-  std::vector<Section> Sections;                    // of the patches in the order of writing; offsets in the spool
-  std::vector<Section> Blobs;                       // the same
-  std::vector<std::array<std::uint32_t, 4>> Counts; // points, wedges, triangles, shared points of each patch
-  std::vector<unsigned char> Bytes;                 // of what is copied
+  vtkMTPatchTable Patches;
+  std::vector<vtkMTFileSection> Blobs; // offsets in the spool
+  std::vector<unsigned char> Bytes;    // of what is copied
   std::uint64_t FileSize = 0;
-
-  std::size_t SectionsPerPatch() const { return this->Arrays.size() + 1; }
 
   void Forget()
   {
@@ -60,26 +50,18 @@ struct vtkMTFileSink::Internals
     }
     this->Spool.reset();
     this->SavedPatches = 0;
-    this->Sections = {};
+    this->SavedBytes = 0;
+    this->Patches = {};
     this->Blobs = {};
-    this->Counts = {};
     this->Bytes = {};
   }
 
-  bool Append(const EncodedPatch& patch, std::string& error)
+  bool Append(const vtkMTEncodedPatch& patch, std::string& error)
   {
-    const std::uint64_t begin = this->Spool->GetSize();
-    if (!this->AppendBytes(patch.Bytes, error))
-    {
-      return false;
-    }
-    for (Section section : patch.Sections)
-    {
-      section.Offset += begin;
-      this->Sections.push_back(section);
-    }
-    this->Counts.push_back(patch.Counts);
-    return true;
+    std::string reason;
+    const bool done = this->Patches.Append(patch, *this->Spool, reason);
+    error = done ? error : this->Path + ": " + reason;
+    return done;
   }
 
   bool AppendBytes(const std::vector<unsigned char>& bytes, std::string& error)
@@ -92,7 +74,7 @@ struct vtkMTFileSink::Internals
 
   bool AppendBlob(std::vector<unsigned char>& bytes, std::string& error)
   {
-    Section section{};
+    vtkMTFileSection section{};
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
     {
       error = this->Path + ": a blob has more than 4 GiB";
@@ -101,6 +83,7 @@ struct vtkMTFileSink::Internals
     section.Offset = this->Spool->GetSize();
     section.StoredSize = static_cast<std::uint32_t>(bytes.size());
     section.Codec = vtkMTFileFormat::Raw;
+    section.Class = vtkMTFileFormat::BlobClass;
     bytes.resize(static_cast<std::size_t>(Align(bytes.size())), 0);
     section.Checksum = vtkMTChecksum(bytes.data(), bytes.size());
     this->Blobs.push_back(section);
@@ -115,7 +98,7 @@ struct vtkMTFileSink::Internals
     }
     if (!(graph.Arrays == this->Arrays))
     {
-      error = "the graph's arrays are not those that were announced";
+      error = "the graph's arrays are not those that were given to Begin";
       return false;
     }
     if (this->Blobs.size() != graph.Blobs.size())
@@ -124,14 +107,12 @@ struct vtkMTFileSink::Internals
         " are described";
       return false;
     }
-    std::vector<bool> used(this->Counts.size());
+    std::vector<bool> used(this->Patches.GetNumberOfPatches());
     for (std::size_t arc = 0; arc < patchOfArc.size() && arc < graph.Arcs.size(); ++arc)
     {
       const std::uint32_t patch = patchOfArc[arc];
-      const vtkMTArc& record = graph.Arcs[arc];
       if (patch >= used.size() || used[patch] ||
-        this->Counts[patch] !=
-          std::array<std::uint32_t, 4>{ record.Points, record.Wedges, record.Triangles, record.SharedPoints })
+        !(this->Patches.GetCounts(patch) == vtkMTPatchCounts::Of(graph.Arcs[arc])))
       {
         error = "arc " + std::to_string(arc) + " does not describe the patch that was written for it";
         return false;
@@ -146,31 +127,50 @@ struct vtkMTFileSink::Internals
     return true;
   }
 
-  std::vector<SectionRecord> MakeDirectory(const std::vector<std::uint32_t>& patchOfArc) const
+  // What lies before the patches, and in their order.
+  bool MakeContents(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc,
+    vtkMTFileDag::Contents& contents, std::string& error) const
   {
-    std::vector<SectionRecord> directory;
-    directory.reserve(this->Sections.size());
-    for (const std::uint32_t patch : patchOfArc)
+    vtkMTRangeCollector collector(graph);
+    std::vector<vtkMTRange> ranges;
+    contents.Sections.assign(this->Blobs.begin(), this->Blobs.end());
+    contents.SectionCounts.reserve(patchOfArc.size());
+    for (std::uint32_t arc = 0; arc < patchOfArc.size(); ++arc)
     {
-      const auto first = this->Sections.begin() + static_cast<std::ptrdiff_t>(patch * this->SectionsPerPatch());
-      directory.insert(directory.end(), first, first + static_cast<std::ptrdiff_t>(this->SectionsPerPatch()));
+      const std::uint32_t patch = patchOfArc[arc];
+      const std::vector<vtkMTFileSection> sections = this->Patches.GetSections(patch);
+      contents.Sections.insert(contents.Sections.end(), sections.begin(), sections.end());
+      contents.SectionCounts.push_back(this->Patches.GetNumberOfSections(patch));
+      if (collector.Wants(arc))
+      {
+        if (!this->Patches.ReadRanges(patch, *this->Spool, ranges, error))
+        {
+          return false;
+        }
+        collector.Add(arc, ranges);
+      }
     }
-    directory.insert(directory.end(), this->Blobs.begin(), this->Blobs.end());
-    return directory;
+    collector.Finish();
+    contents.ArrayRanges = collector.GetArrayRanges();
+    contents.ArcRanges = collector.GetArcRanges();
+    return true;
   }
 
   // A disk may give back other bytes than it was given: what goes into the file is checked on the way.
-  bool Copy(const Section* sections, std::size_t count, vtkMTOutputFile& output, std::string& error)
+  bool Copy(const std::vector<vtkMTFileSection>& sections, vtkMTOutputFile& output, std::string& error)
   {
-    const Section& last = sections[count - 1];
-    this->Bytes.resize(static_cast<std::size_t>(last.Offset + Align(last.StoredSize) - sections[0].Offset));
+    if (sections.empty())
+    {
+      return true;
+    }
+    this->Bytes.resize(static_cast<std::size_t>(sections.back().GetEnd() - sections[0].Offset));
     if (!this->Spool->Read(sections[0].Offset, this->Bytes.size(), this->Bytes.data(), error))
     {
       return false;
     }
-    for (std::size_t i = 0; i < count; ++i)
+    for (const vtkMTFileSection& section : sections)
     {
-      if (!vtkMTPatchCodec::Check(sections[i], this->Bytes.data() + (sections[i].Offset - sections[0].Offset), error))
+      if (!vtkMTPatchCodec::Check(section, this->Bytes.data() + (section.Offset - sections[0].Offset), error))
       {
         error = "the temporary file " + error;
         return false;
@@ -187,7 +187,14 @@ struct vtkMTFileSink::Internals
   bool WriteFile(const vtkMTGraph& graph, const std::vector<std::uint32_t>& patchOfArc, std::string& error)
   {
     std::vector<unsigned char> head;
-    vtkMTFileDag::Encode(graph, this->MakeDirectory(patchOfArc), head);
+    vtkMTFileDag::Contents contents;
+    if (!this->MakeContents(graph, patchOfArc, contents, error) ||
+      !vtkMTFileDag::Encode(graph, contents, head, error))
+    {
+      error = this->Path + ": " + error;
+      return false;
+    }
+    contents = {};
     vtkMTOutputFile output;
     if (!output.Open(this->Path) || !output.Write(head.data(), head.size()))
     {
@@ -197,14 +204,14 @@ struct vtkMTFileSink::Internals
     vtkMTRelease(head);
     for (const std::uint32_t patch : patchOfArc)
     {
-      if (!this->Copy(&this->Sections[patch * this->SectionsPerPatch()], this->SectionsPerPatch(), output, error))
+      if (!this->Copy(this->Patches.GetSections(patch), output, error))
       {
         return false;
       }
     }
-    for (const Section& blob : this->Blobs)
+    for (const vtkMTFileSection& blob : this->Blobs)
     {
-      if (!this->Copy(&blob, 1, output, error))
+      if (!this->Copy({ blob }, output, error))
       {
         return false;
       }
@@ -233,6 +240,11 @@ bool vtkMTFileSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
   own.Arrays = arrays;
   own.FileSize = 0;
   this->Error.clear();
+  if (arrays.size() > vtkMTFileFormat::OtherClasses - vtkMTFileFormat::FirstArrayClass)
+  {
+    this->Error = own.Path + ": " + std::to_string(arrays.size()) + " arrays are more than a file can have";
+    return false;
+  }
   for (const vtkMTArrayInfo& array : arrays)
   {
     if (array.GetTupleSize() == 0)
@@ -258,16 +270,15 @@ bool vtkMTFileSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
 std::unique_ptr<vtkMTPatchSink::PreparedPatch> vtkMTFileSink::Prepare(vtkMTPatch&& patch, std::string& error) const
 {
   const Internals& own = *this->Implementation;
-  auto encoded = std::make_unique<EncodedPatch>();
+  auto encoded = std::make_unique<vtkMTEncodedPatch>();
   std::string reason;
   if (!vtkMTPatchCodec::Encode(patch, own.Arrays, own.Codec, encoded->Bytes, encoded->Sections, reason))
   {
     error = own.Path + ": a patch " + reason;
     return nullptr;
   }
-  encoded->Counts = { static_cast<std::uint32_t>(patch.Points.size()),
-    static_cast<std::uint32_t>(patch.GetNumberOfWedges()), static_cast<std::uint32_t>(patch.Triangles.size()),
-    static_cast<std::uint32_t>(patch.Ids.size()) };
+  encoded->Counts = vtkMTPatchCounts::Of(patch);
+  encoded->Ranges = patch.GetRanges(own.Arrays);
   patch = vtkMTPatch();
   return encoded;
 }
@@ -280,7 +291,7 @@ bool vtkMTFileSink::WritePrepared(std::unique_ptr<PreparedPatch> patch)
     this->Error = this->Error.empty() ? own.Path + ": a patch was written before Begin" : this->Error;
     return false;
   }
-  if (patch && own.Append(static_cast<const EncodedPatch&>(*patch), this->Error))
+  if (patch && own.Append(static_cast<const vtkMTEncodedPatch&>(*patch), this->Error))
   {
     return true;
   }
@@ -309,27 +320,21 @@ bool vtkMTFileSink::Save(std::vector<unsigned char>& state)
   {
     return false;
   }
-  // What is new since the last time, patch by patch.
+  // What is new since the last time.
   std::vector<unsigned char> fresh;
-  vtkMTBytes::Writer table(fresh);
-  for (std::size_t patch = own.SavedPatches; patch < own.Counts.size(); ++patch)
-  {
-    table.Put(own.Counts[patch]);
-    for (std::size_t i = 0; i < own.SectionsPerPatch(); ++i)
-    {
-      table.Put(own.Sections[patch * own.SectionsPerPatch() + i]);
-    }
-  }
+  own.Patches.Save(own.SavedPatches, fresh);
   if (!own.Tables->Append(fresh.data(), fresh.size(), this->Error))
   {
     return false;
   }
-  own.SavedPatches = own.Counts.size();
+  own.SavedPatches = own.Patches.GetNumberOfPatches();
+  own.SavedBytes += fresh.size();
   state.clear();
   vtkMTBytes::Writer writer(state);
   writer.Put<std::uint32_t>(own.Codec);
   writer.Put(own.Spool->GetSize());
   writer.Put<std::uint64_t>(own.SavedPatches);
+  writer.Put(own.SavedBytes);
   writer.PutList(own.Blobs);
   return true;
 }
@@ -341,6 +346,7 @@ bool vtkMTFileSink::Restore(const std::vector<vtkMTArrayInfo>& arrays, const std
   const auto codec = reader.Take<std::uint32_t>();
   const auto size = reader.Take<std::uint64_t>();
   const auto patches = reader.Take<std::uint64_t>();
+  const auto tableBytes = reader.Take<std::uint64_t>();
   reader.TakeList(own.Blobs);
   own.Arrays = arrays;
   this->Error.clear();
@@ -349,23 +355,20 @@ bool vtkMTFileSink::Restore(const std::vector<vtkMTArrayInfo>& arrays, const std
     this->Error = own.Path + ": was begun with another compression, or its state is damaged";
     return false;
   }
-  const std::size_t row = sizeof(own.Counts[0]) + own.SectionsPerPatch() * sizeof(Section);
-  std::vector<unsigned char> bytes(static_cast<std::size_t>(patches) * row);
   own.Spool = own.Store->Open(SpoolName, size, this->Error);
-  own.Tables = own.Spool ? own.Store->Open(TablesName, bytes.size(), this->Error) : nullptr;
+  own.Tables = own.Spool ? own.Store->Open(TablesName, tableBytes, this->Error) : nullptr;
+  std::vector<unsigned char> bytes(own.Tables ? static_cast<std::size_t>(tableBytes) : 0);
   if (!own.Tables || !own.Tables->Read(0, bytes.size(), bytes.data(), this->Error))
   {
     return false;
   }
-  vtkMTBytes::Reader table(bytes);
-  for (own.SavedPatches = 0; own.SavedPatches < patches; ++own.SavedPatches)
+  if (!own.Patches.Load(patches, bytes))
   {
-    own.Counts.push_back(table.Take<std::array<std::uint32_t, 4>>());
-    for (std::size_t i = 0; i < own.SectionsPerPatch(); ++i)
-    {
-      own.Sections.push_back(table.Take<Section>());
-    }
+    this->Error = own.Path + ": the table of its patches is damaged";
+    return false;
   }
+  own.SavedPatches = static_cast<std::size_t>(patches);
+  own.SavedBytes = tableBytes;
   return true;
 }
 

@@ -5,8 +5,8 @@
  *
  * Patches come finest first and lie in the file coarsest first, after the DAG, which is known last. So WritePatch
  * appends each one, encoded, to a spool, and Finish copies them in arc order behind header and DAG into a file that is
- * published whole (vtkMTOutputFile). What stays in memory is one directory entry per section and the patch in hand. The
- * disk must have room for the model twice while Finish runs.
+ * published whole (vtkMTOutputFile). What stays in memory is a record for each section and patch, and the patch that is
+ * written. The disk must have room for the model twice while Finish runs.
  *
  * The spool is a nameless file in the output's folder; or, when a store is given, of that store: then the sink can go
  * on in another process (Save and Restore) as far as the store can.

@@ -14,8 +14,20 @@
 namespace
 {
 using vtkMTFileFormat::Codec;
-using vtkMTFileFormat::Section;
 using vtkMTFileFormat::SectionRecord;
+
+bool IsKindKnown(vtkMTPatchKind kind, std::string& error)
+{
+  if (kind != vtkMTPatchKind::Triangles)
+  {
+    error = std::string("is of ") +
+      (kind == vtkMTPatchKind::Points     ? "points"
+          : kind == vtkMTPatchKind::Voxels ? "voxels"
+                                           : "a grid's samples") +
+      ": there is no codec for this kind in this version; there is one for triangles";
+  }
+  return kind == vtkMTPatchKind::Triangles;
+}
 
 bool IsGeometryConsistent(const vtkMTPatch& patch, std::string& error)
 {
@@ -51,17 +63,19 @@ bool IsGeometryConsistent(const vtkMTPatch& patch, std::string& error)
 }
 
 // The section from `begin` to the end of bytes is complete: pads it and makes its record.
-bool CloseSection(Codec codec, std::size_t begin, std::vector<unsigned char>& bytes, std::vector<Section>& sections)
+bool CloseSection(Codec codec, std::size_t sectionClass, std::size_t begin, std::vector<unsigned char>& bytes,
+  std::vector<vtkMTFileSection>& sections)
 {
   const std::size_t size = bytes.size() - begin;
   if (size > std::numeric_limits<std::uint32_t>::max())
   {
     return false;
   }
-  Section section{};
+  vtkMTFileSection section{};
   section.Offset = begin;
   section.StoredSize = static_cast<std::uint32_t>(size);
   section.Codec = codec;
+  section.Class = static_cast<std::uint16_t>(sectionClass);
   bytes.resize(static_cast<std::size_t>(vtkMTFileFormat::Align(bytes.size())), 0);
   section.Checksum = vtkMTChecksum(bytes.data() + begin, bytes.size() - begin);
   sections.push_back(section);
@@ -82,19 +96,23 @@ bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vt
     vtkMTByteCodec::IsPlausible(bytes.size() - begin, packed.size());
 }
 
-// An array that does not become smaller is stored as it is, and so is one without neighbours.
+// A column of no bytes has no section. An array that does not become smaller is stored as it is, and so is one without neighbours.
 bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal,
-  Codec codec, std::vector<unsigned char>& bytes, std::vector<Section>& sections)
+  Codec codec, std::size_t sectionClass, std::vector<unsigned char>& bytes, std::vector<vtkMTFileSection>& sections)
 {
+  if (column.empty())
+  {
+    return true;
+  }
   const std::size_t begin = bytes.size();
-  const bool isSmaller = traversal.IsKnown && !column.empty() && PackColumn(array, column, traversal, codec, bytes) &&
+  const bool isSmaller = traversal.IsKnown && PackColumn(array, column, traversal, codec, bytes) &&
     bytes.size() - begin < column.size();
   if (!isSmaller)
   {
     bytes.resize(begin);
     bytes.insert(bytes.end(), column.begin(), column.end());
   }
-  return CloseSection(isSmaller ? codec : vtkMTFileFormat::Raw, begin, bytes, sections);
+  return CloseSection(isSmaller ? codec : vtkMTFileFormat::Raw, sectionClass, begin, bytes, sections);
 }
 
 bool AreColumnsRight(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, std::string& error)
@@ -126,13 +144,17 @@ bool AreColumnsRight(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>&
 namespace vtkMTPatchCodec
 {
 bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, Codec codec,
-  std::vector<unsigned char>& bytes, std::vector<Section>& sections, std::string& error)
+  std::vector<unsigned char>& bytes, std::vector<vtkMTFileSection>& sections, std::string& error)
 {
   bytes.clear();
   sections.clear();
-  if (!IsGeometryConsistent(patch, error) || !AreColumnsRight(patch, arrays, error))
+  if (!IsKindKnown(patch.Kind, error) || !IsGeometryConsistent(patch, error) || !AreColumnsRight(patch, arrays, error))
   {
     return false;
+  }
+  if (patch.Points.empty() && patch.Triangles.empty())
+  {
+    return true; // a dependency
   }
   const vtkMTPatchOrder order = vtkMTPatchOrder::Make(patch);
   vtkMTDecodeScratch traversal;
@@ -144,14 +166,15 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
     used = vtkMTFileFormat::Raw;
     vtkMTRawGeometry::Encode(order.Patch, bytes);
   }
-  bool fits = CloseSection(used, 0, bytes, sections);
+  bool fits = CloseSection(used, vtkMTFileFormat::GeometryClass, 0, bytes, sections);
   error = fits ? error : "has more than 4 GiB of geometry";
   std::size_t next[2] = { 0, 0 };
   for (std::size_t i = 0; fits && i < arrays.size(); ++i)
   {
     const bool ofPoints = arrays[i].Association == vtkMTArrayInfo::Point;
     const std::vector<vtkMTColumn>& columns = ofPoints ? order.Patch.PointColumns : order.Patch.CellColumns;
-    fits = AppendColumn(arrays[i], columns[next[ofPoints ? 0 : 1]++], traversal, codec, bytes, sections);
+    fits = AppendColumn(arrays[i], columns[next[ofPoints ? 0 : 1]++], traversal, codec,
+      vtkMTFileFormat::FirstArrayClass + i, bytes, sections);
     error = fits ? error : "has more than 4 GiB of array \"" + arrays[i].Name + "\"";
   }
   return fits;
@@ -172,20 +195,25 @@ bool DecodeGeometry(const SectionRecord& section, const unsigned char* data, con
   vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error)
 {
   traversal.IsKnown = false;
+  if (!IsKindKnown(arc.Kind, error))
+  {
+    return false;
+  }
   return section.Codec == vtkMTFileFormat::Raw ? vtkMTRawGeometry::Decode(data, section.StoredSize, arc, patch, error)
                                                : vtkMTPackedGeometry::Decode(static_cast<Codec>(section.Codec), data,
                                                    section.StoredSize, arc, traversal, patch, error);
+}
+
+bool MayBeMissing(const vtkMTArc& arc, const vtkMTArrayInfo& array)
+{
+  return array.Role == vtkMTArrayInfo::ExactPoints ||
+    (array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles) == 0;
 }
 
 bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
   const vtkMTArrayInfo& array, const vtkMTDecodeScratch& traversal, vtkMTColumn& column, std::string& error)
 {
   const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles;
-  if (array.Role == vtkMTArrayInfo::ExactPoints && section.StoredSize == 0)
-  {
-    column.clear();
-    return true;
-  }
   if (section.Codec == vtkMTFileFormat::Raw)
   {
     if (section.StoredSize != tuples * array.GetTupleSize())
@@ -212,7 +240,7 @@ bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const
   const std::uint64_t size = vtkMTColumnCodec::GetPackedSize(array, tuples);
   if (!vtkMTByteCodec::IsPlausible(section.StoredSize, size))
   {
-    error = "is too small for what it is said to hold";
+    error = "is too small for what it should hold";
     return false;
   }
   std::vector<unsigned char> packed(static_cast<std::size_t>(size));

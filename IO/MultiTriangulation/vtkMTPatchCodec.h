@@ -4,6 +4,7 @@
 #define vtkMTPatchCodec_h
 
 #include "vtkMTFileFormat.h"
+#include "vtkMTFileTables.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatch.h"
 #include "vtkMTRiceCode.h"
@@ -18,11 +19,12 @@ namespace vtkMTPatchCodec
 {
 /**
  * Replaces bytes by the patch's sections, each padded to the alignment, and sections by their records, whose offsets
- * count from the first of these bytes. The patch is put into the order of storage (vtkMTPatchOrder). False when it is
- * inconsistent or too large.
+ * count from the first of these bytes. Columns without bytes have no section, a patch without points has none at all.
+ * The patch is put into the order of storage (vtkMTPatchOrder). False when it is inconsistent, too large or of a kind
+ * for which there is no codec.
  */
 bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, vtkMTFileFormat::Codec codec,
-  std::vector<unsigned char>& bytes, std::vector<vtkMTFileFormat::Section>& sections, std::string& error);
+  std::vector<unsigned char>& bytes, std::vector<vtkMTFileSection>& sections, std::string& error);
 
 /// Whether a section's bytes (with padding) are as they were written, and of a codec that is known here.
 bool Check(const vtkMTFileFormat::SectionRecord& section, const unsigned char* padded, std::string& error);
@@ -34,6 +36,9 @@ constexpr std::size_t Slack = vtkMTRiceCode::Reader::Slack;
 /// the sizes have been found right.
 bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
   vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error);
+
+/// Whether an array of the arc's patch may have no section: it has no values there.
+bool MayBeMissing(const vtkMTArc& arc, const vtkMTArrayInfo& array);
 
 /// An array's column from its section's bytes, after the geometry of the same patch; Slack bytes behind them can be
 /// read, too.

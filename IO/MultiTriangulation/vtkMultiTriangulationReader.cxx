@@ -14,9 +14,14 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 vtkStandardNewMacro(vtkMultiTriangulationReader);
 
 vtkMultiTriangulationReader::vtkMultiTriangulationReader()
+  : OutputError(VTK_DOUBLE_MAX)
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -30,6 +35,32 @@ void vtkMultiTriangulationReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "OutputError: " << this->OutputError << "\n";
+}
+
+void vtkMultiTriangulationReader::SetOutputError(double error)
+{
+  if (std::isnan(error))
+  {
+    vtkWarningMacro("OutputError stays " << this->OutputError << ": NaN is no error.");
+    return;
+  }
+  const double clamped = std::clamp(error, 0.0, VTK_DOUBLE_MAX);
+  if (this->OutputError != clamped)
+  {
+    this->OutputError = clamped;
+    this->Modified();
+  }
+}
+
+int vtkMultiTriangulationReader::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  if (vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector))
+  {
+    output->WarnOfConsumers(this, 0);
+  }
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 int vtkMultiTriangulationReader::CanReadFile(const char* fileName)
@@ -95,12 +126,14 @@ int vtkMultiTriangulationReader::RequestData(
     vtkErrorMacro(<< error);
     return 0;
   }
-  if (!output->SetSource(source))
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  if (!output->SetSource(source, this->OutputError < VTK_DOUBLE_MAX ? this->OutputError : unlimited))
   {
     output->Initialize();
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     vtkErrorMacro(<< this->FileName << ": the coarsest patches cannot be read");
     return 0;
   }
+  output->WarnOfConsumers(this, 0);
   return 1;
 }

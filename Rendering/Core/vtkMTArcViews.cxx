@@ -63,11 +63,10 @@ void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
 
 double vtkMTArcViews::GetWanted(std::uint32_t node)
 {
-  const vtkMTNode& record = this->Graph->Nodes[node];
   double wanted = NotWanted;
-  for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+  for (const std::uint32_t arc : this->Graph->GetEntering(node))
   {
-    wanted = std::max(wanted, this->Look(this->Graph->Entering[k]).Wanted);
+    wanted = std::max(wanted, this->Look(arc).Wanted);
   }
   return wanted;
 }
@@ -189,15 +188,18 @@ void vtkMTArcViews::Report(vtkMTTargetCut::Result& result)
     for (std::uint32_t index = record.FirstOut; index < record.FirstOut + record.OutCount; ++index)
     {
       const vtkMTArc& arc = graph.Arcs[index];
-      if (result.Cut.IsRefined(arc.To))
+      if (!result.Cut.Contains(index))
       {
         continue;
       }
       const ArcView& view = this->Look(index);
       ++result.ArcsInCut;
-      result.ModelError = std::max(result.ModelError, graph.Nodes[arc.To].Error);
-      result.PixelError = std::max(result.PixelError, view.Certified);
-      result.Converged = result.Converged && (arc.To == graph.GetSink() || !(view.Wanted > this->Threshold));
+      if (!result.Cut.IsRefined(arc.To)) // otherwise what was added to the patch says how precise the cut is
+      {
+        result.ModelError = std::max(result.ModelError, graph.Nodes[arc.To].Error);
+        result.PixelError = std::max(result.PixelError, view.Certified);
+        result.Converged = result.Converged && (arc.To == graph.GetSink() || !(view.Wanted > this->Threshold));
+      }
       if (view.IsDrawn())
       {
         result.Arcs.push_back(index);

@@ -201,10 +201,18 @@ private:
   template <typename Function>
   void ForEntering(std::uint32_t node, Function&& function) const
   {
-    const vtkMTNode& record = this->Graph.Nodes[node];
-    for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+    for (const std::uint32_t arc : this->Graph.GetEntering(node))
     {
-      function(this->Graph.Entering[k]);
+      function(arc);
+    }
+  }
+  // Those of them that refining the node takes away.
+  template <typename Function>
+  void ForReplaced(std::uint32_t node, Function&& function) const
+  {
+    for (const std::uint32_t arc : this->Graph.GetReplaced(node))
+    {
+      function(arc);
     }
   }
 
@@ -238,7 +246,7 @@ private:
       this->ForLeaving(node,
         [this](std::uint32_t arc)
         {
-          if (!this->Cut.IsRefined(this->Graph.Arcs[arc].To))
+          if (this->Cut.Contains(arc))
           {
             this->Enter(arc);
           }
@@ -293,7 +301,7 @@ private:
   {
     this->ForLeaving(node, [this](std::uint32_t arc) { this->Subtract(arc, this->Sum); });
     this->Cut.Coarsen(node);
-    this->ForEntering(node, [this](std::uint32_t arc) { this->Enter(arc); });
+    this->ForReplaced(node, [this](std::uint32_t arc) { this->Enter(arc); });
   }
 
   // Coarsens the node, and before it all refined ones that depend on it.
@@ -383,7 +391,7 @@ private:
         }
         Totals after = this->Sum;
         bool there = true;
-        this->ForEntering(node,
+        this->ForReplaced(node,
           [&](std::uint32_t arc)
           {
             this->Add(arc, after);
@@ -476,7 +484,7 @@ private:
         this->Add(arc, after);
         there = there && !this->IsMissing(arc);
       });
-    this->ForEntering(node, [&](std::uint32_t arc) { this->Subtract(arc, after); });
+    this->ForReplaced(node, [&](std::uint32_t arc) { this->Subtract(arc, after); });
     if (!there || !this->Allows(after))
     {
       return false;
@@ -686,7 +694,7 @@ private:
             this->Want(arc, -1.0, true);
           }
           // Of the arcs that enter a node the first one asks for what refining it would bring.
-          if (arc == this->Graph.Entering[this->Graph.Nodes[to].FirstIn])
+          if (this->Graph.IsRefinable(to) && arc == *this->Graph.GetEntering(to).begin())
           {
             this->WantFiner(to);
           }

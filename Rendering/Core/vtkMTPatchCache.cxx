@@ -109,7 +109,7 @@ std::vector<vtkMTPatchCache::Want> vtkMTPatchCache::MergeWants()
   {
     each.second.Priority = Unwanted;
   }
-  const std::size_t arcs = this->Source->GetGraph().Arcs.size();
+  const std::size_t arcs = this->Source->GetKnownGraph().Arcs.size();
   std::vector<Want> missing;
   for (const auto& view : this->Wants)
   {
@@ -219,7 +219,7 @@ void vtkMTPatchCache::Order()
 
 std::size_t vtkMTPatchCache::GetRoomFor(std::uint32_t arc, const std::vector<unsigned char>& arrays) const
 {
-  return vtkMTPatchLoader::GetPatchBytes(this->Source->GetGraph(), arc, arrays) +
+  return vtkMTPatchLoader::GetPatchBytes(this->Source->GetKnownGraph(), arc, arrays) +
     static_cast<std::size_t>(this->Source->GetPatchSize(arc));
 }
 
@@ -272,7 +272,7 @@ bool vtkMTPatchCache::Has(const Entry& entry) const
   {
     return true;
   }
-  const std::size_t count = this->Source->GetGraph().Arrays.size();
+  const std::size_t count = this->Source->GetKnownGraph().Arrays.size();
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool wanted = this->Arrays.empty() || this->Arrays[i] != 0;

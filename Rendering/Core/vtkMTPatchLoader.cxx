@@ -90,7 +90,7 @@ struct vtkMTPatchLoader::Internals
   {
     this->Plan = std::move(order);
     const std::vector<std::uint32_t>& arcs = this->Plan->Arcs;
-    const std::size_t arcCount = this->Source->GetGraph().Arcs.size();
+    const std::size_t arcCount = this->Source->GetKnownGraph().Arcs.size();
     this->Next = 0;
     this->Done.assign(arcs.size(), 0);
     std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
@@ -115,7 +115,7 @@ struct vtkMTPatchLoader::Internals
   bool Add(std::size_t index, std::uint64_t gap, Batch& batch)
   {
     const std::uint32_t arc = this->Plan->Arcs[index];
-    const std::size_t bytes = vtkMTPatchLoader::GetPatchBytes(this->Source->GetGraph(), arc, this->Plan->Arrays);
+    const std::size_t bytes = vtkMTPatchLoader::GetPatchBytes(this->Source->GetKnownGraph(), arc, this->Plan->Arrays);
     const std::uint64_t stored = gap + this->Source->GetPatchSize(arc);
     const std::uint64_t scratch = std::max(this->Source->GetDecodeSize(arc), batch.Scratch);
     if (!this->Memory->Reserve(bytes + static_cast<std::size_t>(stored + scratch - batch.Scratch)))
@@ -137,7 +137,7 @@ struct vtkMTPatchLoader::Internals
     delivery.Arc = this->Plan->Arcs[index];
     const std::size_t limit = this->Memory->GetLimit();
     const std::size_t bytes =
-      vtkMTPatchLoader::GetPatchBytes(this->Source->GetGraph(), delivery.Arc, this->Plan->Arrays) +
+      vtkMTPatchLoader::GetPatchBytes(this->Source->GetKnownGraph(), delivery.Arc, this->Plan->Arrays) +
       static_cast<std::size_t>(this->Source->GetPatchSize(delivery.Arc) + this->Source->GetDecodeSize(delivery.Arc));
     if (bytes <= limit)
     {
@@ -246,7 +246,7 @@ struct vtkMTPatchLoader::Internals
     delivery.Arrays = batch.Order->Arrays;
     const std::size_t reserved = batch.Bytes[index];
     const bool good =
-      read && IsSound(patch, this->Source->GetGraph().Arcs[delivery.Arc]) && patch.GetMemorySize() <= reserved;
+      read && IsSound(patch, this->Source->GetKnownGraph().Arcs[delivery.Arc]) && patch.GetMemorySize() <= reserved;
     if (good)
     {
       delivery.Bytes = patch.GetMemorySize();

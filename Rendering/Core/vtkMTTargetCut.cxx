@@ -143,9 +143,9 @@ private:
         return false;
       }
       const vtkMTNode& record = this->Graph.Nodes[nodes[i]];
-      for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+      for (const std::uint32_t arc : this->Graph.GetEntering(nodes[i]))
       {
-        this->Mark(this->Graph.Arcs[this->Graph.Entering[k]].From);
+        this->Mark(this->Graph.Arcs[arc].From);
       }
       for (std::uint32_t index = record.FirstOut; index < record.FirstOut + record.OutCount; ++index)
       {
@@ -153,7 +153,7 @@ private:
         const vtkMTArcViews::ArcView& view = this->Memory.Views.Look(index);
         triangles += view.IsDrawn() ? arc.Triangles : 0;
         bytes += view.IsDrawn() ? this->Memory.Views.GetBytes(arc) : 0;
-        if (view.Wanted > this->Memory.Views.GetThreshold() && arc.To != this->Graph.GetSink())
+        if (view.Wanted > this->Memory.Views.GetThreshold() && this->Graph.IsRefinable(arc.To))
         {
           this->Mark(arc.To);
         }
@@ -188,7 +188,7 @@ private:
       this->Triangles += record.Triangles;
       this->Bytes += this->Memory.Views.GetBytes(record);
     }
-    if (record.To == this->Graph.GetSink())
+    if (!this->Graph.IsRefinable(record.To))
     {
       return;
     }
@@ -212,10 +212,9 @@ private:
     this->Memory.Marks[node] = 1;
     for (std::size_t i = 0; i < this->Closure.size(); ++i)
     {
-      const vtkMTNode& record = this->Graph.Nodes[this->Closure[i]];
-      for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+      for (const std::uint32_t arc : this->Graph.GetEntering(this->Closure[i]))
       {
-        const std::uint32_t from = this->Graph.Arcs[this->Graph.Entering[k]].From;
+        const std::uint32_t from = this->Graph.Arcs[arc].From;
         if (!this->Memory.Marks[from] && !this->Out.Cut.IsRefined(from))
         {
           this->Memory.Marks[from] = 1;
@@ -246,7 +245,8 @@ private:
       const vtkMTNode& record = this->Graph.Nodes[node];
       for (std::uint32_t arc = record.FirstOut; arc < record.FirstOut + record.OutCount; ++arc)
       {
-        if (!this->Memory.Marks[this->Graph.Arcs[arc].To] && this->IsDrawn(arc))
+        const bool stays = this->Graph.Refinement == vtkMTGraph::Add || !this->Memory.Marks[this->Graph.Arcs[arc].To];
+        if (stays && this->IsDrawn(arc))
         {
           triangles += this->Graph.Arcs[arc].Triangles;
           bytes += this->Memory.Views.GetBytes(this->Graph.Arcs[arc]);
@@ -256,9 +256,8 @@ private:
           }
         }
       }
-      for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+      for (const std::uint32_t arc : this->Graph.GetReplaced(node))
       {
-        const std::uint32_t arc = this->Graph.Entering[k];
         if (!this->Memory.Marks[this->Graph.Arcs[arc].From] && this->IsDrawn(arc))
         {
           triangles -= this->Graph.Arcs[arc].Triangles;
@@ -296,10 +295,8 @@ private:
 
   void RefineOne(std::uint32_t node)
   {
-    const vtkMTNode& record = this->Graph.Nodes[node];
-    for (std::uint32_t k = record.FirstIn; k < record.FirstIn + record.InCount; ++k)
+    for (const std::uint32_t arc : this->Graph.GetReplaced(node))
     {
-      const std::uint32_t arc = this->Graph.Entering[k];
       if (this->IsDrawn(arc))
       {
         this->Triangles -= this->Graph.Arcs[arc].Triangles;

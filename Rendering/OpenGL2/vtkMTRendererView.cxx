@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTRendererView.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -33,41 +32,31 @@ void Shear(vtkMTView& view, double shear, double distance)
 }
 }
 
-std::vector<vtkMTView> vtkMTRendererView::Make(vtkRenderer* renderer, vtkActor* actor)
+std::vector<vtkMTView> vtkMTRendererView::Make(vtkRenderer* renderer, const std::array<double, 16>& modelToWorld)
 {
-  vtkMTView view;
   vtkCamera* camera = renderer->GetActiveCamera();
-  vtkMatrix4x4::Multiply4x4(
-    camera->GetModelViewTransformMatrix()->GetData(), actor->GetMatrix()->GetData(), view.ModelToEye.data());
-  view.UpdateStretch();
-
-  const vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1);
-  const int* size = renderer->GetSize();
-  view.ParallelProjection = projection->GetElement(3, 3) != 0.0;
-  view.PixelsPerUnit = 0.0;
+  std::array<double, 16> modelToEye;
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(), modelToWorld.data(), modelToEye.data());
+  std::array<double, 16> projection;
+  std::copy_n(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)->GetData(), 16, projection.begin());
   const double shear = GetShear(camera);
-  // The projection has the shear of the eye that is being drawn.
-  const double present = camera->GetLeftEye() ? shear : -shear;
-  for (int i = 0; i < 2; ++i)
+  if (shear != 0.0)
   {
-    const double scale = std::abs(projection->GetElement(i, i));
-    double shift = projection->GetElement(i, view.ParallelProjection ? 3 : 2);
-    if (i == 0 && shear != 0.0)
-    {
-      shift -= projection->GetElement(0, 0) * present * (view.ParallelProjection ? camera->GetDistance() : 1.0);
-      // Both eyes must come to the same number, so what rounding left of it goes, and the frustum gets a little larger.
-      shift = std::nearbyint(shift * 1e9) / 1e9;
-    }
-    view.HalfSize[i] = (1.0 + std::abs(shift) + (shear != 0.0 ? 1e-9 : 0.0)) / scale;
-    view.PixelsPerUnit = std::max(view.PixelsPerUnit, 0.5 * scale * size[i]);
+    // The projection has the shear of the eye that is being drawn. Both eyes must come to the same numbers without it,
+    // so what rounding leaves of it goes.
+    const double present = projection[0] * (camera->GetLeftEye() ? shear : -shear);
+    projection[2] = std::nearbyint((projection[2] - present) * 1e9) / 1e9;
+    projection[3] = std::nearbyint((projection[3] - present * camera->GetDistance()) * 1e9) / 1e9;
   }
-  // A little more than what the planes say: the rasteriser rounds, and culling must not.
-  view.Near = camera->GetClippingRange()[0] * (1.0 - 1e-6);
-  view.Far = camera->GetClippingRange()[1] * (1.0 + 1e-6);
+  const int* size = renderer->GetSize();
+  vtkMTView view =
+    vtkMTView::FromProjection(modelToEye, projection.data(), { size[0], size[1] }, camera->GetClippingRange());
   if (shear == 0.0)
   {
     return { view };
   }
+  view.HalfSize[0] *= 1.0 + 1e-8; // more than that rounding
   std::vector<vtkMTView> views{ view, view };
   Shear(views[0], shear, camera->GetDistance());
   Shear(views[1], -shear, camera->GetDistance());
@@ -75,13 +64,13 @@ std::vector<vtkMTView> vtkMTRendererView::Make(vtkRenderer* renderer, vtkActor* 
 }
 
 std::array<double, 3> vtkMTRendererView::GetNearest(
-  vtkRenderer* renderer, vtkActor* actor, const std::array<double, 6>& box)
+  vtkRenderer* renderer, const std::array<double, 16>& modelToWorld, const std::array<double, 6>& box)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   double place[4] = { 0.0, 0.0, 0.0, 1.0 };
   camera->GetParallelProjection() ? camera->GetFocalPoint(place) : camera->GetPosition(place);
   double inverse[16];
-  vtkMatrix4x4::Invert(actor->GetMatrix()->GetData(), inverse);
+  vtkMatrix4x4::Invert(modelToWorld.data(), inverse);
   vtkMatrix4x4::MultiplyPoint(inverse, place, place);
   std::array<double, 3> nearest;
   for (int i = 0; i < 3; ++i)

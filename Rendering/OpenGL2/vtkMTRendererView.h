@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTRendererView
- * @brief a renderer's camera and viewport as views of what an actor shows
+ * @brief a renderer's camera and viewport as views of a model
  *
  * Read off the camera's own matrices, so parallel projection, oblique and explicit projections, tiles of a large
  * picture and horizontal view angles are covered; where the frustum is not symmetric, the larger half counts. In stereo
@@ -16,15 +16,16 @@
 #include <array>
 #include <vector>
 
-class vtkActor;
 class vtkRenderer;
 
 struct vtkMTRendererView
 {
-  static std::vector<vtkMTView> Make(vtkRenderer* renderer, vtkActor* actor);
+  /// modelToWorld is row-major: where actor and frame put the model.
+  static std::vector<vtkMTView> Make(vtkRenderer* renderer, const std::array<double, 16>& modelToWorld);
 
   /// The point of the box (model units) that is nearest to what the camera looks at most closely.
-  static std::array<double, 3> GetNearest(vtkRenderer* renderer, vtkActor* actor, const std::array<double, 6>& box);
+  static std::array<double, 3> GetNearest(
+    vtkRenderer* renderer, const std::array<double, 16>& modelToWorld, const std::array<double, 6>& box);
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include "vtkGenericCell.h"
 #include "vtkMTLineHit.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTPlacement.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkObjectFactory.h"
@@ -57,8 +58,12 @@ int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const do
   }
   vtkMTLineHit hit;
   std::string error;
+  vtkMTPlacement placement;
+  model->GetFrame(placement.Matrix.data());
+  const vtkMTPlacement inverse = placement.GetInverse();
   const bool found = hit.Find(
-    *model->GetSource(), this->Mapper->GetDrawnArcs(), { p1[0], p1[1], p1[2] }, { p2[0], p2[1], p2[2] },
+    *model->GetSource(), this->Mapper->GetDrawnArcs(), inverse.ToObject({ p1[0], p1[1], p1[2] }),
+    inverse.ToObject({ p2[0], p2[1], p2[2] }),
     [this](std::uint32_t arc) { return this->Mapper->GetPatchInMemory(arc); }, error);
   if (!error.empty())
   {
@@ -79,8 +84,9 @@ int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const do
   cell->SetCellTypeToTriangle();
   for (int i = 0; i < 3; ++i)
   {
-    cell->GetPoints()->SetPoint(i, hit.Triangle[i].data());
-    cell->GetPointIds()->SetId(i, model->FindPoint(hit.Triangle[i].data()));
+    std::array<double, 3> corner = placement.ToObject(hit.Triangle[i]);
+    cell->GetPoints()->SetPoint(i, corner.data());
+    cell->GetPointIds()->SetId(i, model->FindPoint(corner.data()));
   }
   return 1;
 }

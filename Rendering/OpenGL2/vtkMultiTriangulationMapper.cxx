@@ -3,6 +3,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMTCutMesh.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTRendererView.h"
 #include "vtkMTSetMacros.h"
@@ -152,8 +153,10 @@ void vtkMultiTriangulationMapper::ComputeBounds()
 {
   if (this->HasPatches())
   {
-    const std::array<double, 6>& bounds = this->Implementation->GetBounds(GetModel(this->GetInput())->GetSource());
-    std::copy(bounds.begin(), bounds.end(), this->Bounds);
+    vtkMultiTriangulation* model = GetModel(this->GetInput());
+    vtkMTPlacement placement;
+    model->GetFrame(placement.Matrix.data());
+    placement.ToObject(this->Implementation->GetBounds(model->GetSource()).data(), this->Bounds);
     return;
   }
   this->Superclass::ComputeBounds();
@@ -241,7 +244,10 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
     return false;
   }
   std::string error;
-  if (!vtkMultiTriangulation::CutToPolyData(*frame.GetSource(), frame.GetLast()->Cut, output, error))
+  vtkMTCutMesh mesh;
+  mesh.Arcs = frame.GetLast()->Cut.GetArcs();
+  mesh.Placement = &this->Implementation->Placement;
+  if (!mesh.Make(*frame.GetSource(), output, error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -262,6 +268,10 @@ void vtkMultiTriangulationMapper::FollowInput()
   Internals& self = *this->Implementation;
   vtkMultiTriangulation* model = GetModel(this->GetInput());
   const std::shared_ptr<const vtkMTPatchSource> source = model ? model->GetSource() : nullptr;
+  if (model)
+  {
+    model->GetFrame(self.Placement.Matrix.data());
+  }
   vtkMTPatchLoader::Settings loader;
   loader.Threads = this->NumberOfLoaderThreads;
   if (self.Frame.SetSource(source, loader))

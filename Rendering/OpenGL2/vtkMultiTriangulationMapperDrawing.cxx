@@ -60,7 +60,10 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
     state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
     mode = GL_POINTS;
   }
+  // A frame that mirrors turns the triangles, so that their front stays the front.
+  glFrontFace(self.Placement.IsMirrored() ? GL_CW : GL_CCW);
   this->DrawPrimitives(renderer, actor, this->Primitives[PrimitiveTris], mode);
+  glFrontFace(GL_CCW);
 
   const bool withEdges = property->GetEdgeVisibility() && property->GetRepresentation() == VTK_SURFACE;
   if (withEdges && property->GetVertexVisibility() && !renderer->GetSelector())
@@ -166,7 +169,7 @@ void vtkMultiTriangulationMapper::UpdateMaximumPointCellIds(vtkRenderer* rendere
   const std::uint64_t triangles = arena.GetTriangleCapacity() * self.Painter->GetIndicesPerTriangle();
   renderer->GetSelector()->UpdateMaximumPointId(static_cast<vtkIdType>(arena.GetVertexCapacity()));
   renderer->GetSelector()->UpdateMaximumCellId(
-    static_cast<vtkIdType>(std::max(triangles, self.Graph().InputTriangles)));
+    static_cast<vtkIdType>(std::max(triangles, self.Graph().InputCounts.Triangles)));
 }
 
 //------------------------------------------------------------------------------

@@ -62,7 +62,9 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
     self.Rate.GetTriangles(actor->GetAllocatedRenderTime(), self.Frame.GetNumberOfSourceTriangles()));
   settings.Cut.ErrorMetric = this->ErrorMetric == EDGE_LENGTH ? vtkMTTargetCut::EdgeLength : vtkMTTargetCut::Distance;
   settings.Cut.FrustumCulling = this->FrustumCulling;
-  settings.Cut.FacingCulling = this->FacingCulling && ShowsOneSideOnly(actor->GetProperty());
+  // A frame that mirrors turns the triangles, and the cones that say what faces away are those of the lattice.
+  settings.Cut.FacingCulling =
+    this->FacingCulling && ShowsOneSideOnly(actor->GetProperty()) && !self.Placement.IsMirrored();
   settings.Cut.Wait = this->WaitsFor(renderer);
   settings.Cut.TimeLimit = this->CutTimeLimit;
   settings.Cut.UploadBudget = static_cast<std::uint64_t>(this->UploadLimit);
@@ -73,10 +75,11 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   settings.PatchMemoryLimit = static_cast<std::size_t>(this->PatchMemoryLimit);
   settings.GraphicsMemoryLimit = self.Painters.Share(window, static_cast<std::uint64_t>(this->GraphicsMemoryLimit));
 
-  self.Views = vtkMTRendererView::Make(renderer, actor);
+  const std::array<double, 16> modelToWorld = self.GetModelToWorld(actor);
+  self.Views = vtkMTRendererView::Make(renderer, modelToWorld);
   self.Cut = &self.Frame.Update(self.GetKey(renderer, actor), self.Views, settings, *self.Painter);
   const std::array<double, 6>& bounds = self.GetBounds(self.Frame.GetSource());
-  self.Origin = self.Graph().Lattice.Snap(vtkMTRendererView::GetNearest(renderer, actor, bounds).data());
+  self.Origin = self.Graph().Lattice.Snap(vtkMTRendererView::GetNearest(renderer, modelToWorld, bounds).data());
   this->TakeFigures();
   for (const std::string& failure : self.Frame.TakeFailures())
   {

@@ -9,9 +9,11 @@
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPatchStreams.h"
+#include "vtkMTPlacement.h"
 #include "vtkMTTrianglePainter.h"
 #include "vtkMTView.h"
 #include "vtkMTWindowPainters.h"
+#include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -47,7 +49,8 @@ struct vtkMultiTriangulationMapper::Internals
   std::chrono::steady_clock::time_point FrameStart;
   double CallSeconds = 0.0; // until this pass's draw calls had returned
 
-  std::array<double, 6> Bounds{ 0, -1, 0, -1, 0, -1 }; // of the model
+  vtkMTPlacement Placement;                            // the input's frame
+  std::array<double, 6> Bounds{ 0, -1, 0, -1, 0, -1 }; // of the model on the lattice
   std::weak_ptr<const vtkMTPatchSource> BoundsSource;  // which they were found for
 
   // An actor in a renderer: what the frame keeps a cut for.
@@ -60,7 +63,15 @@ struct vtkMultiTriangulationMapper::Internals
 
   const vtkMTGraph& Graph() const { return this->Frame.GetGraph(); }
 
-  // Asked several times a frame, and to be found from all arcs.
+  // Row-major: the input's frame, and then the actor's matrix.
+  std::array<double, 16> GetModelToWorld(vtkActor* actor) const
+  {
+    vtkMTPlacement sum = this->Placement;
+    sum.Append(actor->GetMatrix()->GetData());
+    return sum.Matrix;
+  }
+
+  // On the lattice, wherever the input's frame puts it. Asked several times a frame, and to be found from all arcs.
   const std::array<double, 6>& GetBounds(const std::shared_ptr<const vtkMTPatchSource>& source)
   {
     if (this->BoundsSource.lock() != source)

@@ -39,22 +39,41 @@ double GetUnit(double x)
 }
 
 //------------------------------------------------------------------------------
-// Only the direction of what it gives is looked at.
-void SetNormalMatrix(vtkShaderProgram* program, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView)
+// 1 over about the largest of some numbers.
+double GetUnit(const double* values, int count)
+{
+  double largest = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    largest = std::max(largest, std::abs(values[i]));
+  }
+  return GetUnit(largest);
+}
+
+//------------------------------------------------------------------------------
+// Only the direction of what it gives is looked at. VTK's normal matrices are inverses, transposed as OpenGL wants
+// them: that of a product has the other order.
+void SetNormalMatrix(
+  vtkShaderProgram* program, const vtkMTPlacement& placement, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView)
 {
   if (!program->IsUniformUsed("normalMatrix"))
   {
     return;
   }
-  vtkNew<vtkMatrix3x3> matrix;
-  vtkMatrix3x3::Multiply3x3(modelToWorld, worldToView, matrix);
-  double* elements = matrix->GetData();
-  double largest = 0.0;
+  const std::array<double, 16> inverse = placement.GetInverse().Matrix;
+  vtkNew<vtkMatrix3x3> frame;
+  double* elements = frame->GetData();
   for (int i = 0; i < 9; ++i)
   {
-    largest = std::max(largest, std::abs(elements[i]));
+    elements[i] = inverse[4 * (i / 3) + i % 3];
   }
-  const double unit = GetUnit(largest);
+  const double frameUnit = GetUnit(elements, 9);
+  std::transform(elements, elements + 9, elements, [frameUnit](double element) { return frameUnit * element; });
+  vtkNew<vtkMatrix3x3> matrix;
+  vtkMatrix3x3::Multiply3x3(modelToWorld, worldToView, matrix);
+  vtkMatrix3x3::Multiply3x3(frame, matrix, matrix);
+  elements = matrix->GetData();
+  const double unit = GetUnit(elements, 9);
   std::transform(elements, elements + 9, elements, [unit](double element) { return unit * element; });
   program->SetUniformMatrix("normalMatrix", matrix);
 }
@@ -133,10 +152,12 @@ void vtkMultiTriangulationMapper::SetClippingPlanes(vtkOpenGLHelper& cellBO, vtk
   const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
   const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
   float equations[Maximum][4] = {};
+  vtkNew<vtkMatrix4x4> modelToWorld;
+  modelToWorld->DeepCopy(this->Implementation->GetModelToWorld(actor).data());
   for (int i = 0; i < count; ++i)
   {
     double plane[4];
-    this->GetClippingPlaneInDataCoords(actor->GetMatrix(), i, plane);
+    this->GetClippingPlaneInDataCoords(modelToWorld, i, plane);
     // In steps all along, and of a length near 1, so that the smallest and largest models stay within the range of
     // floats; the shader looks at the sign only.
     const double unit = GetUnit(std::max({ std::abs(plane[0]), std::abs(plane[1]), std::abs(plane[2]) }));
@@ -175,13 +196,20 @@ void vtkMultiTriangulationMapper::SetCameraShaderParameters(
     toWorld->SetElement(i, i, lattice.Step);
     toWorld->SetElement(3, i, origin[i]);
   }
-  if (!actor->GetIsIdentity())
+  const vtkMTPlacement& placement = this->Implementation->Placement;
+  if (!placement.IsIdentity())
+  {
+    double transposed[16];
+    vtkMatrix4x4::Transpose(placement.Matrix.data(), transposed);
+    vtkMatrix4x4::Multiply4x4(toWorld->GetData(), transposed, toWorld->GetData());
+  }
+  if (!actor->GetIsIdentity() || !placement.IsIdentity())
   {
     vtkMatrix4x4* modelToWorld;
     vtkMatrix3x3* normals;
     vtkOpenGLActor::SafeDownCast(actor)->GetKeyMatrices(modelToWorld, normals);
     vtkMatrix4x4::Multiply4x4(toWorld, modelToWorld, toWorld);
-    SetNormalMatrix(cellBO.Program, normals, viewNormals);
+    SetNormalMatrix(cellBO.Program, placement, normals, viewNormals);
   }
   const auto set = [&cellBO](const char* name, vtkMatrix4x4* matrix)
   {

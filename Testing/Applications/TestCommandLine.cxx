@@ -127,7 +127,7 @@ TEST_F(CommandLine, EmptyAndGarbageFilesAreRefused)
   EXPECT_TRUE(this->List().empty()) << testing::PrintToString(this->List());
 }
 
-// Large enough to be streamed: nobody asks for the memory that it claims to need.
+// Large enough to be streamed: the memory that it claims to need is not requested.
 TEST_F(CommandLine, ClaimOfImpossiblyManyPointsIsRefusedForThat)
 {
   std::string points;

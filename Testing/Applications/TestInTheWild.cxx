@@ -3,11 +3,10 @@
 // the finest level or counted with its reason, or is refused with a message.
 #include "MTTestMeshes.h"
 
-#include "bmtCertifier.h"
 #include "bmtInput.h"
-#include "bmtSurface.h"
 
 #include "vtkMTCut.h"
+#include "vtkMTErrorSampling.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMTPolyDataStream.h"
@@ -74,18 +73,24 @@ void ExpectSound(const std::string& name, const Built& built, vtkPolyData* mesh,
   const vtkMTValidate::Result valid = vtkMTValidate::All(built.Store, 40, 1);
   EXPECT_TRUE(valid.IsValid()) << name << ": " << (valid.Findings.empty() ? "" : valid.Findings.front().What);
   vtkMTPolyDataStream stream(mesh);
-  bmtCertifier certifier(built.Store, bmtMakeSurface(stream, name), 2000, 1);
+  vtkMTSampledSurface input;
+  std::string error;
+  ASSERT_TRUE(input.Read(
+    stream, [] { return true; }, error))
+    << name << ": " << error;
+  vtkMTErrorSampling sampling(built.Store, std::move(input), 2000, 1);
+  const auto goOn = [](const std::string&, double) { return true; };
   for (std::uint32_t level = 0; level < graph.GetNumberOfLevels(); ++level)
   {
-    certifier.TestLevel(level);
+    EXPECT_TRUE(sampling.TestLevel(level, goOn, error)) << error;
   }
   for (std::size_t i = 0; i < 4; ++i)
   {
-    certifier.TestCut(vtkMTRandomCut::Make(graph, 1, i), "random cut");
+    EXPECT_TRUE(sampling.TestCut(vtkMTRandomCut::Make(graph, 1, i), "random cut", goOn, error)) << error;
   }
-  EXPECT_TRUE(certifier.GetPatchToInput().IsOk()) << name << ": " << certifier.GetPatchToInput().Message;
-  EXPECT_TRUE(certifier.GetInputToCut().IsOk()) << name << ": " << certifier.GetInputToCut().Message;
-  EXPECT_EQ(graph.InputTriangles, triangles) << name;
+  EXPECT_TRUE(sampling.GetPatchToInput().IsOk()) << name << ": " << sampling.GetPatchToInput().Message;
+  EXPECT_TRUE(sampling.GetInputToCut().IsOk()) << name << ": " << sampling.GetInputToCut().Message;
+  EXPECT_EQ(graph.InputCounts.Triangles, triangles) << name;
   EXPECT_EQ(graph.GetNumberOfFinestTriangles() + static_cast<std::uint64_t>(CountDropped(graph.InputReport)), triangles)
     << name << ": stored and dropped are not all";
   std::printf("%-28s %8llu triangles, %8llu stored, %2u levels;", name.c_str(),

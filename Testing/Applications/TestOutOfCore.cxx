@@ -42,10 +42,10 @@ protected:
     const MTRun run =
       this->Bmt({ "build", this->Path(mesh), "-o", this->Path("out.bmt"), "--threads", "4", "--memory", "64MiB" });
     EXPECT_EQ(run.Exit, 1);
-    const std::string before = "small for this mesh: ";
+    const std::string before = "small for this input: ";
     const std::size_t begin = run.Err.find(before);
     EXPECT_NE(begin, std::string::npos) << run.Err;
-    return begin == std::string::npos ? 0.0 : std::stod(run.Err.substr(begin + before.size())) + 1.0;
+    return begin == std::string::npos ? 0.0 : std::stod(run.Err.substr(begin + before.size()));
   }
 
   // In MiB, of the largest child until now, of which this is one with that limit.

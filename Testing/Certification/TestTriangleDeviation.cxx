@@ -136,7 +136,7 @@ Tally Check(const vtkMTPatch& floor, const vtkMTPatch& fragment, const std::vect
         nearest = std::min(nearest, GetDistance(x, GetCorners(floor, t)));
       }
       tally.Sampled = std::max(tally.Sampled, nearest);
-      tally.Broken += nearest > findings.Reach[s].ToInput + 1e-6 ? 1 : 0;
+      tally.Broken += nearest > findings.Deviations[s].ToInput + 1e-6 ? 1 : 0;
     }
   }
   for (std::size_t t = 0; t < floor.Triangles.size(); ++t)
@@ -149,7 +149,7 @@ Tally Check(const vtkMTPatch& floor, const vtkMTPatch& fragment, const std::vect
       {
         const double distance = GetDistance(x, GetCorners(fragment, s));
         nearest = std::min(nearest, distance);
-        isWithin = isWithin || distance <= findings.Reach[s].FromInput + 1e-6;
+        isWithin = isWithin || distance <= findings.Deviations[s].FromInput + 1e-6;
       }
       tally.Sampled = std::max(tally.Sampled, nearest);
       tally.Broken += isWithin ? 0 : 1;
@@ -235,7 +235,7 @@ std::vector<std::uint32_t> MakeEqualHeirs(std::size_t points)
 }
 }
 
-TEST(Reach, EveryTriangleIsWithinItsOwn)
+TEST(TriangleDeviation, EveryTriangleIsWithinItsOwn)
 {
   std::mt19937 random(1);
   for (const int height : { 0, 200, 1000, 4000 })
@@ -250,7 +250,7 @@ TEST(Reach, EveryTriangleIsWithinItsOwn)
   }
 }
 
-TEST(Reach, HoldsWhereBordersMove)
+TEST(TriangleDeviation, HoldsWhereBordersMove)
 {
   std::mt19937 random(3);
   const vtkMTPatch floor = MakeRoughGrid(14, 500, random);
@@ -262,7 +262,7 @@ TEST(Reach, HoldsWhereBordersMove)
 }
 
 // Heirs are where the search begins and nothing else.
-TEST(Reach, HoldsWhateverTheHeirs)
+TEST(TriangleDeviation, HoldsWhateverTheHeirs)
 {
   std::mt19937 random(5);
   for (int round = 0; round < 12; ++round)
@@ -276,7 +276,7 @@ TEST(Reach, HoldsWhateverTheHeirs)
 
 // Fragments that no simplifier would make: points moved at random, until triangles are turned over and lie in folds;
 // triangles left out, or there twice.
-TEST(Reach, HoldsForFragmentsThatAreFoldedOrTorn)
+TEST(TriangleDeviation, HoldsForFragmentsThatAreFoldedOrTorn)
 {
   std::mt19937 random(7);
   std::size_t byPieces = 0;
@@ -285,8 +285,8 @@ TEST(Reach, HoldsForFragmentsThatAreFoldedOrTorn)
   {
     const vtkMTPatch floor = MakeRoughGrid(7, 600, random);
     vtkMTPatch fragment = floor;
-    const int reach = 50 << (round % 7);
-    std::uniform_int_distribution<int> shift(-reach, reach);
+    const int largest = 50 << (round % 7);
+    std::uniform_int_distribution<int> shift(-largest, largest);
     for (vtkMTPoint& p : fragment.Points)
     {
       for (int i = 0; i < 3 && random() % 4 != 0; ++i)
@@ -312,7 +312,7 @@ TEST(Reach, HoldsForFragmentsThatAreFoldedOrTorn)
 }
 
 // A fragment with a second sheet, above the first, that no point of the floor was merged into.
-TEST(Reach, SheetThatTheFloorDoesNotCoverIsSeen)
+TEST(TriangleDeviation, SheetThatTheFloorDoesNotCoverIsSeen)
 {
   std::mt19937 random(9);
   const vtkMTPatch floor = MakeRoughGrid(6, 0, random);
@@ -333,7 +333,7 @@ TEST(Reach, SheetThatTheFloorDoesNotCoverIsSeen)
 }
 
 // What makes building fast: on an ordinary surface hardly any triangle needs pieces.
-TEST(Reach, HardlyAnyTriangleOfAClosedSurfaceIsBoundByPieces)
+TEST(TriangleDeviation, HardlyAnyTriangleOfAClosedSurfaceIsBoundByPieces)
 {
   const auto input = MTTestMeshes::FractalSphere(4);
   vtkMTPatch floor;

@@ -14,10 +14,7 @@
 class MTFaultyStore : public vtkMTSpoolStore
 {
 public:
-  explicit MTFaultyStore(vtkMTSpoolStore& store)
-    : Store(store)
-  {
-  }
+  explicit MTFaultyStore(vtkMTSpoolStore& store);
 
   /// The write (reads: the read) with this number, counted from 0, fails; so do all after it.
   std::uint64_t FailingWrite = ~std::uint64_t(0);
@@ -25,72 +22,22 @@ public:
   std::uint64_t GetNumberOfWrites() const { return this->Writes; }
   std::uint64_t GetNumberOfReads() const { return this->Reads; }
 
-  std::unique_ptr<vtkMTSpool> Create(std::string& error) override { return this->Wrap(this->Store.Create(error)); }
-  std::unique_ptr<vtkMTSpool> Create(const std::string& name, std::string& error) override
-  {
-    return this->CountWrite(error) ? this->Wrap(this->Store.Create(name, error)) : nullptr;
-  }
-  std::unique_ptr<vtkMTSpool> Open(const std::string& name, std::uint64_t size, std::string& error) override
-  {
-    return this->Wrap(this->Store.Open(name, size, error));
-  }
-  void Remove(const std::string& name) override { this->Store.Remove(name); }
-  bool IsLasting() const override { return this->Store.IsLasting(); }
-  bool Commit(const std::vector<unsigned char>& state, std::string& error) override
-  {
-    return this->CountWrite(error) && this->Store.Commit(state, error);
-  }
-  bool Restore(std::vector<unsigned char>& state, std::string& error) override
-  {
-    return this->Store.Restore(state, error);
-  }
-  void Clear() override { this->Store.Clear(); }
-  std::uint64_t GetSize() const override { return this->Store.GetSize(); }
-  std::uint64_t GetLargestSize() const override { return this->Store.GetLargestSize(); }
+  std::unique_ptr<vtkMTSpool> Create(std::string& error) override;
+  std::unique_ptr<vtkMTSpool> Create(const std::string& name, std::string& error) override;
+  std::unique_ptr<vtkMTSpool> Open(const std::string& name, std::uint64_t size, std::string& error) override;
+  void Remove(const std::string& name) override;
+  bool IsLasting() const override;
+  bool Commit(const std::vector<unsigned char>& state, std::string& error) override;
+  bool Restore(std::vector<unsigned char>& state, std::string& error) override;
+  void Clear() override;
+  std::uint64_t GetSize() const override;
+  std::uint64_t GetLargestSize() const override;
 
 private:
-  class Spool : public vtkMTSpool
-  {
-  public:
-    Spool(MTFaultyStore& store, std::unique_ptr<vtkMTSpool> spool)
-      : Store(store)
-      , Bytes(std::move(spool))
-    {
-    }
-    bool Append(const void* data, std::size_t size, std::string& error) override
-    {
-      return this->Store.CountWrite(error) && this->Bytes->Append(data, size, error);
-    }
-    bool Read(std::uint64_t offset, std::size_t size, void* data, std::string& error) const override
-    {
-      if (this->Store.Reads++ >= this->Store.FailingRead)
-      {
-        error = "planned failure of a read";
-        return false;
-      }
-      return this->Bytes->Read(offset, size, data, error);
-    }
-    std::uint64_t GetSize() const override { return this->Bytes->GetSize(); }
+  class Spool;
 
-  private:
-    MTFaultyStore& Store;
-    std::unique_ptr<vtkMTSpool> Bytes;
-  };
-
-  std::unique_ptr<vtkMTSpool> Wrap(std::unique_ptr<vtkMTSpool> spool)
-  {
-    return spool ? std::make_unique<Spool>(*this, std::move(spool)) : nullptr;
-  }
-
-  bool CountWrite(std::string& error)
-  {
-    if (this->Writes++ >= this->FailingWrite)
-    {
-      error = "planned failure: no space left";
-      return false;
-    }
-    return true;
-  }
+  std::unique_ptr<vtkMTSpool> Wrap(std::unique_ptr<vtkMTSpool> spool);
+  bool CountWrite(std::string& error);
 
   vtkMTSpoolStore& Store;
   std::atomic<std::uint64_t> Writes{ 0 };

@@ -31,7 +31,7 @@ struct MTRunOptions
   std::vector<std::string> Environment; ///< NAME=VALUE, or NAME to take it away
   int InterruptAfterMilliseconds = -1;  ///< send SIGINT so long after the program is up
   std::function<bool()> InterruptWhen;  ///< send SIGINT as soon as this is true; asked every millisecond
-  int Signal = SIGINT;                  ///< to send in the place of SIGINT
+  int Signal = SIGINT;                  ///< to send instead of SIGINT
   std::uint64_t LargestFile = 0;        ///< bytes that a file of the child's may have; 0: any number
 };
 

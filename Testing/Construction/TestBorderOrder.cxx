@@ -128,7 +128,7 @@ TEST(BorderOrder, NewIdentitiesAreDense)
 }
 
 // The whole builder, with an input whose points are in random order: neighbours along the border of a patch have
-// identities that follow each other, but for the ends of the pieces that it shares with different neighbours.
+// identities that follow each other, but for the ends of the parts that it shares with different neighbours.
 TEST(BorderOrder, IdentitiesOfAModelRunAlongTheBordersOfItsPatches)
 {
   std::vector<MTTestMeshes::Place> places;

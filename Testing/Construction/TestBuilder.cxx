@@ -409,7 +409,7 @@ TEST(Builder, EveryUsableTriangleIsStored)
     {
       dropped += reason.rfind("dropped_", 0) == 0 ? count : 0;
     }
-    EXPECT_EQ(graph.GetNumberOfFinestTriangles() + static_cast<std::uint64_t>(dropped), graph.InputTriangles)
+    EXPECT_EQ(graph.GetNumberOfFinestTriangles() + static_cast<std::uint64_t>(dropped), graph.InputCounts.Triangles)
       << mesh.Name;
   }
 }

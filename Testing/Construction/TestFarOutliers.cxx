@@ -3,12 +3,12 @@
 #include "MTTestMeshes.h"
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTFarOutliers.h"
 #include "vtkMTInputMesh.h"
 #include "vtkMTMemorySpoolStore.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTVoronoiPartition.h"
 
 #include "vtkCellArray.h"
@@ -59,14 +59,14 @@ bool Read(vtkPolyData* mesh, Input& input, std::string& error, bool keep = false
   settings.Partition = partition;
   settings.Store = &store;
   vtkMTPolyDataStream stream(mesh);
-  vtkMTBuildState state;
+  vtkMTSequenceState state;
   vtkMTInputMesh reader(settings);
   input = Input();
   const bool read = reader.Read(stream, state);
   error = reader.GetError();
   input.Warning = reader.GetWarning();
   input.Report = state.Graph.InputReport;
-  input.InputTriangles = state.Graph.InputTriangles;
+  input.InputTriangles = state.Graph.InputCounts.Triangles;
   input.Lattice = state.Graph.Lattice;
   for (std::size_t region = 0; read && region < state.Fragments.GetNumberOfKeys(); ++region)
   {

@@ -4,16 +4,15 @@
 #include "MTTestMeshes.h"
 
 #include "vtkMTBuildSettings.h"
-#include "vtkMTBuildState.h"
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTInputMesh.h"
 #include "vtkMTLevelLoop.h"
 #include "vtkMTMemoryPlan.h"
 #include "vtkMTMemorySpoolStore.h"
-#include "vtkMTOrderedWork.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTPatchStore.h"
 #include "vtkMTPolyDataStream.h"
+#include "vtkMTSequenceState.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkMultiTriangulationBuilder.h"
 
@@ -24,11 +23,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 #include <vector>
 
 namespace
@@ -52,7 +48,7 @@ struct Model
     settings.SortMemory = sortMemory;
     settings.Store = &this->Spools;
     vtkMTPolyDataStream stream(mesh);
-    vtkMTBuildState state;
+    vtkMTSequenceState state;
     vtkMTInputMesh input(settings);
     vtkMTLevelLoop loop(settings, this->Patches, "");
     this->Built = input.Read(stream, state) && this->Patches.Begin(state.Graph.Arrays) && loop.Run(state);
@@ -152,8 +148,6 @@ TEST(OutOfCore, LimitThatIsTooSmallSaysTheLeastThatWouldDo)
     << builder->GetErrorMessage();
   builder->SetMemoryLimit(static_cast<vtkTypeInt64>(least));
   EXPECT_TRUE(builder->Build(stream, patches)) << builder->GetErrorMessage();
-  EXPECT_EQ(vtkMTMemoryPlan::ToText(1), "1 MiB");
-  EXPECT_EQ(vtkMTMemoryPlan::ToText((std::uint64_t(3) << 29) + 1), "1.6 GiB");
 }
 
 namespace
@@ -235,85 +229,4 @@ TEST(OutOfCore, RegionThatIsTooLargeForTheLimitSaysHowMuchIsMissing)
   vtkMTPatchStore whole;
   ASSERT_TRUE(BuildWithin(mesh, 0, whole, error)) << error;
   ExpectSame(more, whole, "inseparable");
-}
-
-TEST(OrderedWork, NoMoreIsInHandThanTheBudgetAllows)
-{
-  // Costs from 1 to 200 in a budget of 100: what is larger comes alone.
-  vtkMTOrderedWork::Budget budget;
-  budget.Memory = 100;
-  budget.Cost = [](std::size_t i) { return 1 + i * 37 % 200; };
-  std::atomic<std::uint64_t> inHand{ 0 };
-  std::atomic<std::uint64_t> most{ 0 };
-  std::atomic<std::uint64_t> tooMuch{ 0 };
-  std::string error;
-  const auto work = [&](std::size_t i, std::size_t, std::string&)
-  {
-    const std::uint64_t now = inHand += budget.Cost(i);
-    tooMuch += now > budget.Memory && now != budget.Cost(i) ? 1 : 0;
-    most = std::max<std::uint64_t>(most, now);
-    return true;
-  };
-  const auto take = [&](std::size_t i, std::size_t, std::string&)
-  {
-    inHand -= budget.Cost(i);
-    return true;
-  };
-  ASSERT_TRUE(vtkMTOrderedWork::Run(5000, 4, budget, work, take, error)) << error;
-  std::printf("at most %llu of %llu in hand\n", static_cast<unsigned long long>(most.load()),
-    static_cast<unsigned long long>(budget.Memory));
-  EXPECT_EQ(tooMuch, 0u);
-  EXPECT_EQ(inHand, 0u);
-}
-
-TEST(OrderedWork, ResultsAreTakenInOrderAndTheFirstFailureIsReported)
-{
-  for (const int threads : { 1, 2, 5 })
-  {
-    std::vector<std::size_t> fetched;
-    std::vector<std::size_t> slots(vtkMTOrderedWork::GetNumberOfSlots(threads));
-    std::vector<std::size_t> taken;
-    std::string error;
-    const auto fetch = [&](std::size_t i, std::size_t, std::string&)
-    {
-      fetched.push_back(i); // one at a time
-      return true;
-    };
-    const auto work = [&](std::size_t i, std::size_t slot, std::string&)
-    {
-      slots[slot] = i * i;
-      return true;
-    };
-    const auto take = [&](std::size_t i, std::size_t slot, std::string&)
-    {
-      EXPECT_EQ(slots[slot], i * i);
-      taken.push_back(i);
-      return true;
-    };
-    ASSERT_TRUE(vtkMTOrderedWork::Run(1000, threads, fetch, work, take, error)) << error;
-    ASSERT_EQ(taken.size(), 1000u);
-    EXPECT_TRUE(std::is_sorted(taken.begin(), taken.end()));
-    EXPECT_EQ(fetched, taken);
-
-    const auto fail = [](std::size_t i, std::size_t, std::string& message)
-    {
-      message = "failure " + std::to_string(i);
-      if (i == 700)
-      {
-        throw std::runtime_error("thrown");
-      }
-      return i < 500;
-    };
-    taken.clear();
-    EXPECT_FALSE(vtkMTOrderedWork::Run(
-      1000, threads, fail,
-      [&](std::size_t i, std::size_t, std::string&)
-      {
-        taken.push_back(i);
-        return true;
-      },
-      error));
-    EXPECT_EQ(error, "failure 500");
-    EXPECT_EQ(taken.size(), 500u);
-  }
 }

@@ -84,7 +84,7 @@ TEST(PatchSplitter, AssemblingThePiecesGivesTheFragmentBack)
     const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, regions, 3, 17);
     vtkMTAssembler assembler(arrays);
     std::size_t triangles = 0;
-    for (const auto& piece : split.Pieces)
+    for (const auto& piece : split.Parts)
     {
       EXPECT_TRUE(vtkMTValidate::Mesh(piece.Patch, arrays).IsValid());
       EXPECT_EQ(piece.Patch.Triangles.size(),
@@ -106,9 +106,9 @@ TEST(PatchSplitter, PointsUsedByTwoRegionsAreLocked)
   const vtkMTPatch strip = MakeStrip(4, arrays);
   const std::vector<std::uint32_t> regions{ 0, 0, 0, 0, 1, 1, 1, 1 };
   const vtkMTPatchSplitter split = vtkMTPatchSplitter::Split(strip, regions, 0, 0);
-  const std::vector<std::uint64_t>& ids = split.Pieces[0].Patch.Ids;
+  const std::vector<std::uint64_t>& ids = split.Parts[0].Patch.Ids;
   ASSERT_EQ(ids.size(), 2u);
-  EXPECT_EQ(ids, split.Pieces[1].Patch.Ids);
+  EXPECT_EQ(ids, split.Parts[1].Patch.Ids);
   const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { ids[0], 0 }, { ids[1], 0 }, { ids[0], 1 },
     { ids[1], 1 } };
   EXPECT_EQ(split.Uses, expected);
@@ -125,7 +125,7 @@ TEST(PatchSplitter, SharedPointsKeepTheirIdsAndSayWhoUsesThem)
   const std::vector<std::pair<std::uint64_t, std::uint32_t>> expected{ { 1001, 5 }, { 1002, 5 }, { made[0], 5 },
     { made[1], 5 }, { made[0], 7 }, { made[1], 7 } };
   EXPECT_EQ(split.Uses, expected);
-  EXPECT_EQ(split.Pieces[0].Patch.Ids[0], 1001u);
+  EXPECT_EQ(split.Parts[0].Patch.Ids[0], 1001u);
 }
 
 TEST(PatchSplitter, IdsDoNotMeet)

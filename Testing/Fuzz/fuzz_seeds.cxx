@@ -77,7 +77,7 @@ bool WritePatches(const std::string& folder)
   for (const auto codec : { vtkMTFileFormat::Raw, vtkMTFileFormat::Lz4, vtkMTFileFormat::Zstd })
   {
     std::vector<unsigned char> bytes;
-    std::vector<vtkMTFileFormat::Section> sections;
+    std::vector<vtkMTFileSection> sections;
     std::string error;
     done = vtkMTPatchCodec::Encode(MakeSheet(), { normals }, codec, bytes, sections, error) && done;
     const std::uint32_t size = done ? sections[0].StoredSize : 0;

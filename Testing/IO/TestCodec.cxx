@@ -8,6 +8,7 @@
 #include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
+#include "vtkMTPatchOrder.h"
 
 #include "vtkType.h"
 

@@ -22,9 +22,10 @@ std::atomic<std::size_t> Held{ 0 };
 std::atomic<std::size_t> MostHeld{ 0 };
 }
 
-// What the process holds is counted where no sanitizer counts itself.
+// What the process holds is counted where no sanitizer counts itself. Not inlined, or the compiler would see a free for
+// every new.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
-void* operator new(std::size_t size)
+__attribute__((noinline)) void* operator new(std::size_t size)
 {
   void* memory = std::malloc(size > 0 ? size : 1);
   if (!memory)
@@ -39,14 +40,13 @@ void* operator new(std::size_t size)
   return memory;
 }
 
-// Not inlined, or the compiler would see a free for every new.
 __attribute__((noinline)) void operator delete(void* memory) noexcept
 {
   Held -= malloc_usable_size(memory);
   std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t) noexcept
+__attribute__((noinline)) void operator delete(void* memory, std::size_t) noexcept
 {
   operator delete(memory);
 }
@@ -129,23 +129,23 @@ const char* Damage(Random& random, Bytes& bytes)
       return "flipped bits";
     case 1:
       bytes.resize(random.Below(bytes.size()));
-      return "cut off";
+      return "truncated";
     case 2:
     {
       const Bytes piece(at(other.Begin), at(other.Begin + other.Size));
       const std::ptrdiff_t room = std::min(other.Size, static_cast<std::ptrdiff_t>(bytes.size()) - one.Begin);
       std::copy(piece.begin(), piece.begin() + room, at(one.Begin));
-      return "a piece over another";
+      return "a block over another";
     }
     case 3:
     {
       const Bytes piece(at(other.Begin), at(other.Begin + other.Size));
       bytes.insert(at(one.Begin), piece.begin(), piece.end());
-      return "a piece put in";
+      return "a block inserted";
     }
     case 4:
       bytes.erase(at(one.Begin), at(one.Begin + one.Size));
-      return "a piece taken out";
+      return "a block removed";
     case 5:
     {
       const std::size_t block = std::size_t(16) << random.Below(9);
@@ -157,7 +157,7 @@ const char* Damage(Random& random, Bytes& bytes)
     }
     case 6:
       std::fill(at(one.Begin), at(one.Begin + one.Size), static_cast<unsigned char>(random.Below(2) ? 0 : 255));
-      return "a piece blanked";
+      return "a block of zeros";
     default:
       bytes[8 + random.Below(4)] = static_cast<unsigned char>(random.Below(256));
       return "another version";

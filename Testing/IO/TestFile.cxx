@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Multi-Triangulation file: what is written is read, byte for byte, and nothing else is ever taken for it.
+#include "MTFileSeal.h"
 #include "MTIOTest.h"
 #include "MTTestMeshes.h"
 #include "MTTestModel.h"
@@ -7,9 +8,7 @@
 #include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
+#include "vtkMTPatchOrder.h"
 
 #include <atomic>
 #include <csignal>
@@ -23,8 +22,6 @@ using namespace MTIOTest;
 
 namespace
 {
-constexpr std::size_t HeaderSize = 256;
-
 std::shared_ptr<vtkMTPatchStore> MakeSmallModel()
 {
   MTTestModel::TubeOptions options;
@@ -37,7 +34,7 @@ std::shared_ptr<vtkMTPatchStore> MakeSmallModel()
 // All that a graph can hold, with bytes that are no UTF-8 and empty strings.
 void FillMetadata(vtkMTGraph& graph)
 {
-  graph.InputTriangles = 12345678901ull;
+  graph.InputCounts.Triangles = 12345678901ull;
   graph.FullySharedBorders = 3;
   graph.Settings = { { "partition", "v" }, { "", "empty key" },
     { "latin-1",
@@ -98,19 +95,19 @@ std::string ReadAll(Bytes bytes)
   return "";
 }
 
-std::uint64_t PatchOffset(const Bytes& bytes)
+std::uint64_t SectionOffset(const Bytes& bytes)
 {
-  std::uint64_t offset;
-  std::memcpy(&offset, bytes.data() + 64, sizeof(offset));
-  return offset;
+  return MTFileSeal::GetSectionOffset(bytes.data());
 }
 
-// An entry of the directory.
+// An entry of the table of sections.
 struct SectionOnDisk
 {
   std::uint64_t Checksum;
   std::uint32_t StoredSize;
-  std::uint32_t Codec;
+  std::uint8_t Codec;
+  std::uint8_t Flags;
+  std::uint16_t Class;
 
   SectionOnDisk(const Bytes& bytes, std::size_t i)
   {
@@ -120,19 +117,15 @@ struct SectionOnDisk
   std::size_t GetPaddedSize() const { return (std::size_t(this->StoredSize) + 15) / 16 * 16; }
   static std::size_t GetPlace(const Bytes& bytes, std::size_t i)
   {
-    std::uint64_t directory;
-    std::memcpy(&directory, bytes.data() + 40, sizeof(directory));
-    return static_cast<std::size_t>(directory) + i * sizeof(SectionOnDisk);
+    const auto table = MTFileSeal::GetBlock(bytes.data(), bytes.size(), MTFileSeal::Sections);
+    return static_cast<std::size_t>(table.Offset) + i * sizeof(SectionOnDisk);
   }
 };
 
-// Makes the checksums of header and DAG right again.
-void Reseal(Bytes& bytes, std::uint64_t patchOffset)
+// Makes the checksums of header and pages right again.
+void Reseal(Bytes& bytes)
 {
-  const std::uint64_t dag = XXH3_64bits(bytes.data() + HeaderSize, patchOffset - HeaderSize);
-  std::memcpy(bytes.data() + 240, &dag, sizeof(dag));
-  const std::uint64_t head = XXH3_64bits(bytes.data(), 248);
-  std::memcpy(bytes.data() + 248, &head, sizeof(head));
+  MTFileSeal::SealPages(bytes.data(), bytes.size());
 }
 
 // A patch whose points span `extent` steps, with ids from firstId on.
@@ -179,7 +172,7 @@ TEST(File, ModelIsReadBackByteForByte)
   {
     patchBytes += source.GetPatchSize(arc);
   }
-  EXPECT_EQ(source.GetFileSize(), PatchOffset(ReadFile(folder / "model.bmt")) + patchBytes);
+  EXPECT_EQ(source.GetFileSize(), SectionOffset(ReadFile(folder / "model.bmt")) + patchBytes);
   std::cout << source.GetGraph().Arcs.size() << " patches, " << source.GetFileSize() << " bytes, of which "
             << patchBytes << " in patches\n";
 }
@@ -239,14 +232,16 @@ TEST(File, PatchesLieInArcOrderFromTheDagToTheEnd)
 {
   const auto model = MTTestModel::MakeTube();
   const Bytes bytes = MakeFile(*model);
-  std::uint64_t next = PatchOffset(bytes);
-  const std::size_t sections = model->GetGraph().Arcs.size() * (model->GetGraph().Arrays.size() + 1);
+  std::uint64_t next = SectionOffset(bytes);
+  const auto table = MTFileSeal::GetBlock(bytes.data(), bytes.size(), MTFileSeal::Sections);
+  const std::size_t sections = table.Size / sizeof(SectionOnDisk);
+  EXPECT_EQ(sections, model->GetGraph().Arcs.size() * (model->GetGraph().Arrays.size() + 1));
   for (std::size_t i = 0; i < sections; ++i)
   {
     const SectionOnDisk section(bytes, i);
     next += section.GetPaddedSize();
   }
-  EXPECT_EQ(PatchOffset(bytes) % 4096, 0u);
+  EXPECT_EQ(SectionOffset(bytes) % 4096, 0u);
   EXPECT_EQ(next, bytes.size());
 }
 
@@ -389,14 +384,13 @@ TEST(File, NewerVersionIsRefusedWithAMessageThatSaysSo)
   Bytes bytes = MakeFile(*MakeSmallModel());
   bytes[8] = 255;
   EXPECT_NE(ReadAll(bytes).find("newer"), std::string::npos);
-  Reseal(bytes, PatchOffset(bytes));
+  Reseal(bytes);
   const std::string message = ReadAll(bytes);
   EXPECT_NE(message.find("newer"), std::string::npos);
   EXPECT_NE(message.find("version 255"), std::string::npos);
   std::cout << message << "\n";
   bytes[8] = 0;
-  Reseal(bytes, PatchOffset(bytes));
-  EXPECT_NE(ReadAll(bytes), "");
+  EXPECT_NE(ReadAll(bytes).find("does not exist"), std::string::npos);
 }
 
 TEST(File, OtherFilesAreRefused)
@@ -416,7 +410,8 @@ TEST(File, OtherFilesAreRefused)
 TEST(File, LiesUnderRightChecksumsDoNoHarm)
 {
   const Bytes good = MakeFile(*MakeSmallModel());
-  const std::uint64_t patchOffset = PatchOffset(good);
+  const std::uint64_t patchOffset = SectionOffset(good);
+  const auto headerSize = MTFileSeal::Get<std::uint32_t>(good.data(), 12);
   MTTestMeshes::Random random(2);
   std::size_t refused = 0;
   constexpr std::size_t attempts = 20000;
@@ -426,13 +421,13 @@ TEST(File, LiesUnderRightChecksumsDoNoHarm)
     const std::size_t changes = 1 + random.Below(4);
     for (std::size_t j = 0; j < changes; ++j)
     {
-      const std::size_t begin = random.Below(2) ? 12 : HeaderSize;
-      const std::size_t end = begin == 12 ? 240 : patchOffset;
+      const std::size_t begin = random.Below(2) ? 16 : headerSize;
+      const std::size_t end = begin == 16 ? headerSize - 8 : patchOffset;
       const std::size_t place = begin + random.Below(end - begin);
       static const unsigned char values[] = { 0, 1, 0x7f, 0x80, 0xff };
       bytes[place] = random.Below(2) ? values[random.Below(5)] : static_cast<unsigned char>(random.Below(256));
     }
-    Reseal(bytes, patchOffset);
+    Reseal(bytes);
     refused += !ReadAll(std::move(bytes)).empty();
   }
   std::cout << refused << " of " << attempts << " refused\n";
@@ -453,7 +448,7 @@ TEST_P(FileOfEveryCodec, LiesInPatchesUnderRightChecksumsDoNoHarm)
   {
     Bytes bytes = good;
     SectionOnDisk section(bytes, 0);
-    const std::size_t begin = PatchOffset(bytes);
+    const std::size_t begin = SectionOffset(bytes);
     for (std::size_t j = 0; j <= random.Below(3); ++j)
     {
       const std::uint64_t limit = random.Below(2) ? 40 : section.StoredSize;
@@ -461,7 +456,7 @@ TEST_P(FileOfEveryCodec, LiesInPatchesUnderRightChecksumsDoNoHarm)
     }
     section.Checksum = XXH3_64bits(bytes.data() + begin, section.GetPaddedSize());
     section.Put(bytes, 0);
-    Reseal(bytes, PatchOffset(bytes));
+    Reseal(bytes);
     refused += !ReadAll(std::move(bytes)).empty();
   }
   std::cout << refused << " of " << attempts << " refused\n";

@@ -236,7 +236,7 @@ TEST(TriangleCodec, BorderHoldsWhatHasNothingAcrossLoopByLoop)
   for (std::uint64_t seed = 0; seed < 200; ++seed)
   {
     Random random(seed);
-    const bool isDisk = seed % 2 == 0; // else there are holes, and pieces
+    const bool isDisk = seed % 2 == 0; // else there are holes, and several components
     Triangles triangles =
       MakeGrid(3 + static_cast<std::uint32_t>(random.Below(20)), 3 + static_cast<std::uint32_t>(random.Below(20)),
         !isDisk && random.Below(2) != 0, !isDisk && random.Below(2) != 0, false);

@@ -121,7 +121,7 @@ class Header:
          self.input_triangles, self.step, ox, oy, oz, self.shift, self.blobs) = struct.unpack(
              "<IIQQQQQQQIIIIQdqqqdI", data[8:140])
         self.origin = (ox, oy, oz)
-        require(self.version == 5 and size == 256 and self.file_size == len(data), "another version, or cut off")
+        require(self.version == 5 and size == 256 and self.file_size == len(data), "another version, or truncated")
         dag, head = struct.unpack("<QQ", data[240:256])
         check(data[:248], head, "the header")
         check(data[256:self.patches_at], dag, "the DAG block")
@@ -371,7 +371,7 @@ class Patch:
                 first.setdefault(p, w)
             bases = {p: [wedge_points[x] for x in bases.get(w, [])] for p, w in first.items()}
         points = self.read_points(bases, shift, near, coarse, side, data[24 + stored:])
-        require(side.at == len(side.data), "a side stream of another length")
+        require(side.at == len(side.data), "side bytes of another length")
         self.ids = [ids[p] for p in sorted(ids)]
         self.place(points, [p in ids for p in range(len(points))], wedge_points, triangles)
         self.wedge_bases = [wedge_bases.get(w, []) for w in range(self.wedges_count)]

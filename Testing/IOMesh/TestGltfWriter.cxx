@@ -104,7 +104,7 @@ TEST(GltfWriter, WhatIsWrittenReadsBack)
 
 TEST(GltfWriter, PlacesFarFromTheOriginKeepTheirDigitsInTheFile)
 {
-  // VTK's reader puts them together in single precision, so the file itself is looked at.
+  // VTK's reader combines them in single precision, so the file itself is looked at.
   const std::string path = (std::filesystem::path(MT_TEST_OUTPUT_DIRECTORY) / "far.gltf").string();
   std::string error;
   ASSERT_TRUE(vtkMTMeshWriter::Write(path, MakeMesh(4.2e6), error)) << error;

@@ -417,7 +417,7 @@ TEST(MeshReader, IndicesOutOfRangeAreFoundWhateverReaderLetThemThrough)
   EXPECT_NE(ErrorOf(folder / "bad.vtk").find("does not exist"), std::string::npos);
 }
 
-// What is cut off is refused; VTK's own readers run in a child, as their death must not be ours.
+// What is truncated is refused; VTK's own readers run in a child process, as they may crash.
 TEST(MeshReader, CutFilesOfVtksFormatsAreNeverTakenForWhole)
 {
   Folder folder;

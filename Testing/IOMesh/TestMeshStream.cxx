@@ -194,7 +194,7 @@ TEST(MeshStream, PlyAndStlGiveWhatTheWholeFileGives)
 {
   const Folder folder;
   std::string error;
-  vtkMTFractalSphere sphere(327680); // several pieces
+  vtkMTFractalSphere sphere(327680); // several blocks
   ASSERT_TRUE(vtkMTMeshWriter::WritePly(sphere, folder / "sphere.ply", error)) << error;
   ExpectSameAsWhole(folder / "sphere.ply");
   WriteFile(folder / "text.ply", MakeText(1000, 3000));
@@ -244,7 +244,7 @@ TEST(MeshStream, BinaryPlyOfBothByteOrdersWithValuesAroundTheCorners)
     }
     WriteFile(folder / "mesh.ply", bytes);
     ExpectSameAsWhole(folder / "mesh.ply");
-    // Every file that is cut off is left to the reader, which says what is wrong.
+    // Every file that is truncated is left to the reader, which says what is wrong.
     for (std::size_t size = 0; size < bytes.size(); size += 97)
     {
       WriteFile(folder / "cut.ply", Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)));
@@ -258,7 +258,7 @@ TEST(MeshStream, PolygonsOfPlyBecomeTheTrianglesOfTheWholeFile)
   const Folder folder;
   WriteFile(folder / "quads.ply", MakeText(1000, 3000, "4 %d %d %d 5"));
   ExpectSameAsWhole(folder / "quads.ply");
-  // Polygons of 0 to 9 corners, more than one piece of them.
+  // Polygons of 0 to 9 corners, more than one block of them.
   std::string text = "ply\nformat ascii 1.0\ncomment TextureFile bark.png\nelement vertex 70000\nproperty float x\n"
                      "property float y\nproperty double z\nelement face 70000\nproperty list uchar int vertex_index\n"
                      "property int label\nend_header\n";
@@ -338,7 +338,7 @@ TEST(MeshStream, ObjWithWedgesMaterialsAndPolygonsGivesWhatTheWholeFileGives)
   const Folder folder;
   for (int kind = 0; kind < 16; ++kind)
   {
-    const int n = kind == 15 ? 270 : 60; // the largest has several pieces
+    const int n = kind == 15 ? 270 : 60; // the largest has several blocks
     const std::string name = folder / ("grid-" + std::to_string(kind) + ".obj");
     WriteFile(name, MakeObj(n, (kind & 1) != 0, (kind & 2) != 0, (kind & 4) != 0, (kind & 8) != 0));
     ExpectSameAsWhole(name);
@@ -362,7 +362,7 @@ TEST(MeshStream, ObjWithWedgesMaterialsAndPolygonsGivesWhatTheWholeFileGives)
 TEST(MeshStream, VtpOfEveryEncodingGivesWhatTheWholeFileGives)
 {
   const Folder folder;
-  const auto mesh = MTTestMeshes::FractalSphere(6); // two pieces of cells
+  const auto mesh = MTTestMeshes::FractalSphere(6); // two blocks of cells
   MTTestMeshes::AddArrays(mesh);
   vtkNew<vtkFloatArray> values;
   values->SetName("with components");
@@ -443,7 +443,7 @@ TEST(MeshStream, SeveralFilesGiveWhatTheirMergedMeshGives)
 {
   const Folder folder;
   std::string error;
-  vtkMTFractalSphere sphere(81920); // two pieces
+  vtkMTFractalSphere sphere(81920); // two blocks
   ASSERT_TRUE(vtkMTMeshWriter::WritePly(sphere, folder / "sphere.ply", error)) << error;
   const vtkNew<vtkSTLWriter> writer;
   writer->SetFileTypeToBinary();

@@ -309,7 +309,7 @@ TEST(PlyReader, HugeCountsOfListsAreRefusedWithoutAllocation)
   }
 }
 
-// What is cut off is never taken for the whole, and what is changed does no harm.
+// What is truncated is never taken for the whole, and what is changed does no harm.
 TEST(PlyReader, CutAndChangedFilesAreSurvived)
 {
   const std::string elements =

@@ -51,7 +51,7 @@ std::set<Ends> GetEnds(const vtkMTGraph& graph, const vtkMTCut& cut)
   return ends;
 }
 
-// The figures that the cut keeps are those of its arcs; every path from source to sink is cut once.
+// The figures that the cut keeps are those of its arcs; every path from source to sink has one arc in the cut.
 void ExpectConsistent(const vtkMTGraph& graph, const vtkMTCut& cut)
 {
   const std::vector<std::uint32_t> arcs = cut.GetArcs();

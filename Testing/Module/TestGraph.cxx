@@ -62,7 +62,7 @@ vtkMTGraph RandomGraph(std::uint64_t seed, const double bounds[6])
   {
     std::swap(graph.Arcs[i - 1], graph.Arcs[random.Below(i)]);
   }
-  graph.InputTriangles = 1ull << 40;
+  graph.InputCounts.Triangles = 1ull << 40;
   return graph;
 }
 

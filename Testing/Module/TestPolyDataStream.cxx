@@ -158,7 +158,7 @@ TEST(PolyDataStream, ConvexQuadsAreSplitAlongTheShorterDiagonal)
   }
   double smallest = 0.0;
   GetArea(all, &smallest);
-  EXPECT_GT(smallest, 0.0) << "the dart-shaped quad is cut at its reflex corner";
+  EXPECT_GT(smallest, 0.0) << "the dart-shaped quad is split at its reflex corner";
 }
 
 TEST(PolyDataStream, VerticesLinesAndDegenerateCellsAreCounted)

@@ -230,7 +230,7 @@ TEST(Validate, DamagedGraphsAreFound)
       [](Store& s) {
         s.GetMutableGraph().Arcs[2].Box = { 0, -1, 0, -1, 0, -1 };
       } },
-    { "the input", [](Store& s) { s.GetMutableGraph().InputTriangles = 7; } },
+    { "the input", [](Store& s) { s.GetMutableGraph().InputCounts.Triangles = 7; } },
     { "needs a source", [](Store& s) { s.GetMutableGraph() = vtkMTGraph(); } },
   };
   for (const Planted& damage : damages)

@@ -120,7 +120,7 @@ public:
     }
     this->Graph.Nodes.resize(nodes);
     this->AddTile(0, 0, 0, this->Model.Cells);
-    this->Graph.InputTriangles = 2ull * this->Model.Cells * this->Model.Cells;
+    this->Graph.InputCounts.Triangles = 2ull * this->Model.Cells * this->Model.Cells;
     this->Graph.Settings["partition"] = "quadtree";
     const std::vector<std::uint32_t> order = this->Graph.Index();
     this->Graph.Saturate(0.0);

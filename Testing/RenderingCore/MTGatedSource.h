@@ -24,10 +24,7 @@ public:
   {
   }
 
-  static std::shared_ptr<MTGatedSource> MakeTube()
-  {
-    return std::make_shared<MTGatedSource>(MTTestModel::TubeMaker(MTTestModel::TubeOptions()).Make());
-  }
+  static std::shared_ptr<MTGatedSource> MakeTube() { return std::make_shared<MTGatedSource>(MTTestModel::MakeTube()); }
 
   const vtkMTGraph& GetGraph() const override { return this->Model->GetGraph(); }
   bool ReadPatch(

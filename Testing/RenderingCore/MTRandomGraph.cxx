@@ -138,7 +138,7 @@ vtkMTGraph MTRandomGraph::Make(std::uint32_t seed, int finestNodes, bool planar)
   }
   graph.Index();
   graph.Saturate(1.0 / Width);
-  graph.InputTriangles = graph.GetNumberOfFinestTriangles();
+  graph.InputCounts.Triangles = graph.GetNumberOfFinestTriangles();
   return graph;
 }
 

@@ -144,7 +144,7 @@ TEST(Culling, PatchThatFacesAwayShowsNoTriangleFromTheFront)
   options.Across = 32;
   options.Regions = 64;
   // Its patches go all around the tube, so few of them face away: this is about those that do not.
-  const auto tube = MTTestModel::TubeMaker(options).Make();
+  const auto tube = MTTestModel::MakeTube(options);
   std::mt19937 random(11);
   for (const bool parallel : { false, true })
   {

@@ -85,7 +85,7 @@ TEST(DecodeMemory, IsNotMoreThanTheSourceSays)
   MTTestModel::TubeOptions options;
   options.Rings = 2048;
   options.Across = 16;
-  const std::string path = WriteModel(*MTTestModel::TubeMaker(options).Make());
+  const std::string path = WriteModel(*MTTestModel::MakeTube(options));
   vtkMTFileSource source;
   std::string error;
   ASSERT_TRUE(source.Open(path, error)) << error;

@@ -25,7 +25,7 @@ std::shared_ptr<vtkMTPatchStore> MakeModel()
   MTTestModel::TubeOptions options;
   options.Rings = 2048;
   options.Across = 16;
-  return MTTestModel::TubeMaker(options).Make();
+  return MTTestModel::MakeTube(options);
 }
 
 // A file of its own for each test, away when the test is over.

@@ -35,7 +35,7 @@ public:
   std::uint64_t GetPatchSize(std::uint32_t arc) const override { return this->Store->GetPatchSize(arc); }
   std::string GetName() const override { return "test"; }
 
-  std::shared_ptr<vtkMTPatchStore> Store = MTTestModel::TubeMaker(MTTestModel::TubeOptions()).Make();
+  std::shared_ptr<vtkMTPatchStore> Store = MTTestModel::MakeTube();
   std::set<std::uint32_t> Broken;
   mutable std::atomic<int> Reads{ 0 };
 };

@@ -152,7 +152,7 @@ TEST(PatchLoader, OwnerIsNotKeptWaitingWhileThreadsDecode)
   MTTestModel::TubeOptions options;
   options.Rings = 4096;
   options.Regions = 128;
-  const auto source = std::make_shared<MTGatedSource>(MTTestModel::TubeMaker(options).Make());
+  const auto source = std::make_shared<MTGatedSource>(MTTestModel::MakeTube(options));
   LoaderInUse use(source, 3);
   std::vector<vtkMTPatchLoader::Delivery> deliveries;
   std::vector<std::uint32_t> arcs = AllArcs(*source);

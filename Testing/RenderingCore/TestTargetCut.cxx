@@ -229,7 +229,7 @@ TEST(Extraction, EmptyGraphGivesAnEmptyCut)
 
 TEST(Extraction, CutsOfARealModelConform)
 {
-  const auto store = MTTestModel::TubeMaker(MTTestModel::TubeOptions()).Make();
+  const auto store = MTTestModel::MakeTube();
   vtkMTValidate::Borders borders;
   ASSERT_TRUE(borders.Load(*store).IsValid());
   vtkMTTargetCut extraction;

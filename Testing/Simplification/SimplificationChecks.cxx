@@ -107,7 +107,7 @@ std::vector<bool> FindNonManifoldPoints(const vtkMTPatch& floor, const std::map<
   }
   for (const auto& link : links)
   {
-    // One path or one circle: every point starts at most one edge and all edges hang together.
+    // One path or one circle: every point starts at most one edge and all edges are connected.
     std::map<std::uint32_t, std::uint32_t> next(link.second.begin(), link.second.end());
     std::set<std::uint32_t> ends;
     for (const auto& e : next)

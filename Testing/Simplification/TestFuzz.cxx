@@ -126,7 +126,7 @@ vtkMTPatch MakeSoup(Random& random)
   return floor;
 }
 
-// Each point gets three wedges and each corner one of them: by a plane that cuts through the mesh, or at random.
+// Each point gets three wedges and each corner one of them: by a plane that crosses the mesh, or at random.
 enum WedgeKind : std::uint64_t
 {
   NoWedges,

@@ -78,7 +78,7 @@ std::vector<Region> Divide(const vtkMTPatch& mesh, std::size_t count, Random& ra
   return regions;
 }
 
-// Simplifies each region and puts the fragments together by identity; with a coin, takes a region's floor instead.
+// Simplifies each region and assembles the fragments by identity; with a coin, takes a region's floor instead.
 void Step(std::vector<Region>& regions, int mode, Random& random, vtkMTPatch& mesh, vtkMTPatch& mixture)
 {
   mesh.Triangles.clear();

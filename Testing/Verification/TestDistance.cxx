@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The independent checker's own parts: closest points, sampling, `bmt compare`.
-#include "MTRunBmt.h"
+// The verification's own parts: closest points, sampling, the frame of measuring, the distance of two surfaces.
 #include "MTTestMeshes.h"
 
-#include "bmtClosestPoint.h"
-#include "bmtSampling.h"
-#include "bmtSurface.h"
+#include "vtkMTClosestPoint.h"
+#include "vtkMTSampledSurface.h"
+#include "vtkMTSurfaceDistance.h"
+#include "vtkMTSurfaceSampler.h"
 
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
-#include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
-#include "vtkXMLPolyDataWriter.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +20,9 @@
 
 namespace
 {
-bmtSurface ToSurface(vtkPolyData* mesh)
+vtkMTSampledSurface ToSurface(vtkPolyData* mesh)
 {
-  bmtSurface surface;
+  vtkMTSampledSurface surface;
   surface.Points.resize(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
   {
@@ -34,7 +32,7 @@ bmtSurface ToSurface(vtkPolyData* mesh)
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
     mesh->GetCellPoints(i, corners);
-    bmtTriangle triangle;
+    vtkMTTriangle triangle;
     for (int c = 0; c < 3; ++c)
     {
       triangle[c] = static_cast<std::uint32_t>(corners->GetId(c));
@@ -68,7 +66,8 @@ long double SegmentDistance(const LongPoint& x, const LongPoint& a, const LongPo
 
 // The least distance to the segments from corner a to the side bc: a convex function of the place on bc, minimised by
 // ternary search in extended precision. Shares nothing with what is tested.
-long double ReferenceDistance(const bmtPoint& px, const bmtPoint& pa, const bmtPoint& pb, const bmtPoint& pc)
+long double ReferenceDistance(
+  const vtkMTRealPoint& px, const vtkMTRealPoint& pa, const vtkMTRealPoint& pb, const vtkMTRealPoint& pc)
 {
   const LongPoint x = { px[0], px[1], px[2] };
   const LongPoint a = { pa[0], pa[1], pa[2] };
@@ -85,35 +84,13 @@ long double ReferenceDistance(const bmtPoint& px, const bmtPoint& pa, const bmtP
   }
   return SegmentDistance(x, a, Along(b, c, (low + high) / 2));
 }
-
-void WriteVtp(vtkPolyData* mesh, const std::string& path)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(mesh);
-  writer->SetFileName(path.c_str());
-  writer->Write();
 }
-
-vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* mesh, double x, double y, double z)
-{
-  vtkNew<vtkTransform> transform;
-  transform->Translate(x, y, z);
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  filter->SetTransform(transform);
-  filter->SetInputData(mesh);
-  filter->Update();
-  return filter->GetOutput();
-}
-}
-
-using Compare = MTBmtTest;
 
 TEST(ClosestPoint, AgreesWithATrialOfAllTrianglesAndWithVtk)
 {
   const auto mesh = MTTestMeshes::FractalSphere(4, 7);
-  const bmtSurface surface = ToSurface(mesh);
-  const bmtClosestPoint search(surface);
+  const vtkMTSampledSurface surface = ToSurface(mesh);
+  const vtkMTClosestPoint search(surface);
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(mesh);
   locator->BuildLocator();
@@ -123,14 +100,15 @@ TEST(ClosestPoint, AgreesWithATrialOfAllTrianglesAndWithVtk)
   for (int i = 0; i < 2000; ++i)
   {
     const double reach = i % 2 ? 1.2 : 4.0;
-    const bmtPoint x = { random.Uniform(-reach, reach), random.Uniform(-reach, reach), random.Uniform(-reach, reach) };
+    const vtkMTRealPoint x = { random.Uniform(-reach, reach), random.Uniform(-reach, reach),
+      random.Uniform(-reach, reach) };
     double least = HUGE_VAL;
-    for (const bmtTriangle& t : surface.Triangles)
+    for (const vtkMTTriangle& t : surface.Triangles)
     {
       least = std::min(
-        least, bmtClosestPoint::GetDistance2(x, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]));
+        least, vtkMTClosestPoint::GetDistance2(x, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]));
     }
-    const bmtClosestPoint::Result found = search.Find(x);
+    const vtkMTClosestPoint::Result found = search.Find(x);
     EXPECT_EQ(found.Distance2, least);
     EXPECT_EQ(search.Find(x, 17).Distance2, least) << "a hint changed the result";
     EXPECT_EQ(search.Find(x, 17).Triangle, found.Triangle) << "a hint changed the result";
@@ -152,7 +130,7 @@ TEST(ClosestPoint, IsAccurateForSliversAndTrianglesWithoutArea)
   for (int i = 0; i < 3000; ++i)
   {
     const double height = i % 10 == 0 ? 0.0 : std::pow(10.0, random.Uniform(-17.0, 0.0));
-    bmtPoint a, b, c, x;
+    vtkMTRealPoint a, b, c, x;
     const double along = random.Uniform(-0.2, 1.2);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -165,7 +143,7 @@ TEST(ClosestPoint, IsAccurateForSliversAndTrianglesWithoutArea)
       const double inside = 0.4 * a[axis] + 0.3 * b[axis] + 0.3 * c[axis];
       x[axis] = inside + std::pow(10.0, random.Uniform(-12.0, 0.0)) * random.Uniform(-1.0, 1.0);
     }
-    const double distance = std::sqrt(bmtClosestPoint::GetDistance2(x, a, b, c));
+    const double distance = std::sqrt(vtkMTClosestPoint::GetDistance2(x, a, b, c));
     worst = std::max(worst, std::abs(distance - static_cast<double>(ReferenceDistance(x, a, b, c))));
   }
   std::cout << "largest error, edges of length about 1: " << worst << "\n";
@@ -175,13 +153,13 @@ TEST(ClosestPoint, IsAccurateForSliversAndTrianglesWithoutArea)
 namespace
 {
 // Needles askew through the unit cube, some of them without area, between many small triangles.
-bmtSurface MakeNeedles(std::size_t needles, std::size_t small, unsigned int seed)
+vtkMTSampledSurface MakeNeedles(std::size_t needles, std::size_t small, unsigned int seed)
 {
   MTTestMeshes::Random random(seed);
-  bmtSurface surface;
-  const auto at = [&random](const bmtPoint& center, double reach)
+  vtkMTSampledSurface surface;
+  const auto at = [&random](const vtkMTRealPoint& center, double reach)
   {
-    bmtPoint x = center;
+    vtkMTRealPoint x = center;
     for (double& coordinate : x)
     {
       coordinate += random.Uniform(-reach, reach);
@@ -191,8 +169,8 @@ bmtSurface MakeNeedles(std::size_t needles, std::size_t small, unsigned int seed
   for (std::size_t i = 0; i < needles + small; ++i)
   {
     const std::uint32_t first = static_cast<std::uint32_t>(surface.Points.size());
-    const bmtPoint a = at({ 0, 0, 0 }, 1.0);
-    const bmtPoint b = i < needles ? at({ 0, 0, 0 }, 1.0) : at(a, 1e-3);
+    const vtkMTRealPoint a = at({ 0, 0, 0 }, 1.0);
+    const vtkMTRealPoint b = i < needles ? at({ 0, 0, 0 }, 1.0) : at(a, 1e-3);
     surface.Points.insert(surface.Points.end(), { a, b, i % 5 == 0 ? a : at(b, 1e-3) });
     surface.Triangles.push_back({ first, first + 1, first + 2 });
   }
@@ -200,12 +178,12 @@ bmtSurface MakeNeedles(std::size_t needles, std::size_t small, unsigned int seed
 }
 }
 
-TEST(ClosestPoint, NeedlesAreCutAndFoundWhole)
+TEST(ClosestPoint, NeedlesAreDividedAndFoundWhole)
 {
   for (const std::size_t needles : { 3, 200, 2000 })
   {
-    const bmtSurface surface = MakeNeedles(needles, 2000, static_cast<unsigned int>(needles));
-    const bmtSurfacePieces pieces(surface);
+    const vtkMTSampledSurface surface = MakeNeedles(needles, 2000, static_cast<unsigned int>(needles));
+    const vtkMTTrianglePieces pieces(surface);
     const std::vector<std::uint32_t> list = pieces.List();
     double largest = 0.0;
     std::vector<unsigned char> isThere(surface.Triangles.size(), 0);
@@ -220,16 +198,16 @@ TEST(ClosestPoint, NeedlesAreCutAndFoundWhole)
     EXPECT_GT(list.size(), surface.Triangles.size());
     EXPECT_LE(list.size(), 3 * surface.Triangles.size());
     EXPECT_LT(largest, 2.0) << "a needle is up to 3.4 long";
-    const bmtClosestPoint search(surface);
+    const vtkMTClosestPoint search(surface);
     MTTestMeshes::Random random(9);
     for (int i = 0; i < 300; ++i)
     {
-      const bmtPoint x = { random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5) };
+      const vtkMTRealPoint x = { random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5) };
       double least = HUGE_VAL;
-      for (const bmtTriangle& t : surface.Triangles)
+      for (const vtkMTTriangle& t : surface.Triangles)
       {
         least = std::min(
-          least, bmtClosestPoint::GetDistance2(x, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]));
+          least, vtkMTClosestPoint::GetDistance2(x, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]));
       }
       EXPECT_EQ(search.Find(x).Distance2, least);
     }
@@ -238,55 +216,55 @@ TEST(ClosestPoint, NeedlesAreCutAndFoundWhole)
 
 TEST(ClosestPoint, EqualNeedlesAreFoundQuickly)
 {
-  bmtSurface surface = MakeNeedles(1, 100, 1);
+  vtkMTSampledSurface surface = MakeNeedles(1, 100, 1);
   surface.Triangles.insert(surface.Triangles.end(), 3000, surface.Triangles.front());
-  const bmtClosestPoint search(surface);
+  const vtkMTClosestPoint search(surface);
   EXPECT_EQ(search.Find(surface.Points[0]).Triangle, 0u) << "ties go to the smaller index";
 }
 
 TEST(ClosestPoint, HandlesAnythingFromNothingToCoincidentTriangles)
 {
-  bmtSurface surface;
-  EXPECT_EQ(bmtClosestPoint(surface).Find({ 0, 0, 0 }).Triangle, bmtClosestPoint::NoTriangle);
+  vtkMTSampledSurface surface;
+  EXPECT_EQ(vtkMTClosestPoint(surface).Find({ 0, 0, 0 }).Triangle, vtkMTClosestPoint::NoTriangle);
   surface.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
   surface.Triangles.assign(1000, { 0, 1, 2 });
-  const bmtClosestPoint search(surface);
-  const bmtClosestPoint::Result found = search.Find({ 0.25, 0.25, 2.0 }, 500);
+  const vtkMTClosestPoint search(surface);
+  const vtkMTClosestPoint::Result found = search.Find({ 0.25, 0.25, 2.0 }, 500);
   EXPECT_EQ(found.Distance2, 4.0);
   EXPECT_EQ(found.Triangle, 0u) << "ties go to the smaller index";
 }
 
 TEST(Sampling, IsAreaWeightedAndRepeatable)
 {
-  bmtSurface surface; // areas 1, 3 and 0
+  vtkMTSampledSurface surface; // areas 1, 3 and 0
   surface.Points = { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 }, { 6, 0, 0 } };
   surface.Triangles = { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 1, 1 } };
-  const bmtSampler sampler(surface, 4000, 11);
-  const bmtSamples samples = sampler.Take(0, 4000);
+  const vtkMTSurfaceSampler sampler(surface, 4000, 11);
+  const vtkMTSurfaceSampler::Samples samples = sampler.Take(0, 4000);
   ASSERT_EQ(samples.Points.size(), 4000u);
   const auto count = std::count(samples.Triangles.begin(), samples.Triangles.end(), 0u);
   EXPECT_NEAR(static_cast<double>(count), 1000.0, 1.0);
   EXPECT_EQ(std::count(samples.Triangles.begin(), samples.Triangles.end(), 2u), 0);
   EXPECT_EQ(sampler.Take(1000, 1001).Points.front(), samples.Points[1000]) << "parts are the same as the whole";
-  EXPECT_NE(bmtSampler(surface, 4000, 12).Take(0, 1).Points, sampler.Take(0, 1).Points);
-  for (const bmtPoint& x : samples.Points)
+  EXPECT_NE(vtkMTSurfaceSampler(surface, 4000, 12).Take(0, 1).Points, sampler.Take(0, 1).Points);
+  for (const vtkMTRealPoint& x : samples.Points)
   {
     EXPECT_GE(std::min(x[0], x[1]), 0.0);
     EXPECT_LE(x[0] / 6.0 + x[1], 1.0 + 1e-12);
   }
   surface.Triangles = { { 0, 1, 1 } };
-  EXPECT_EQ(bmtSampler(surface, 100, 1).GetCount(), 0u);
+  EXPECT_EQ(vtkMTSurfaceSampler(surface, 100, 1).GetNumberOfSamples(), 0u);
 }
 
 TEST(Frame, LosesNothingAtExtremeScalesAndOffsets)
 {
   for (const double size : { 1e-300, 1e-30, 1.0, 1e30, 1e300 })
   {
-    bmtBounds bounds;
+    vtkMTRealBounds bounds;
     bounds.Add({ -size, 0.0, 3.0 * size });
     bounds.Add({ size, size, 5.0 * size });
-    const bmtFrame frame = bmtFrame::FromBounds(bounds);
-    const bmtPoint local = frame.ToLocal({ size, size, 5.0 * size });
+    const vtkMTMeasuringFrame frame = vtkMTMeasuringFrame::FromBounds(bounds);
+    const vtkMTRealPoint local = frame.ToLocal({ size, size, 5.0 * size });
     for (double coordinate : local)
     {
       EXPECT_LE(std::abs(coordinate), 1.0) << size;
@@ -296,83 +274,30 @@ TEST(Frame, LosesNothingAtExtremeScalesAndOffsets)
   }
 }
 
-TEST_F(Compare, ParallelSheetsAreAtTheirDistance)
-{
-  const auto sheet = MTTestMeshes::Terrain(40, 40);
-  WriteVtp(sheet, this->Path("a.vtp"));
-  WriteVtp(Moved(sheet, 0.0, 0.0, 0.0), this->Path("same.vtp"));
-  const nlohmann::json same =
-    this->BmtJson({ "compare", this->Path("a.vtp"), this->Path("same.vtp"), "--samples", "10000" });
-  EXPECT_LT(same["max"].get<double>(), 1e-12);
-  EXPECT_NEAR(same["diagonal"].get<double>(), sheet->GetLength(), 1e-6);
-
-  this->BmtJson({ "generate", "plane", "--triangles", "200", "-o", this->Path("plane.ply") });
-  const auto flat = MTTestMeshes::Make(
-    { { 0, 0, 0.25 }, { 1, 0, 0.25 }, { 1, 1, 0.25 }, { 0, 1, 0.25 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
-  WriteVtp(flat, this->Path("raised.vtp"));
-  const nlohmann::json raised =
-    this->BmtJson({ "compare", this->Path("plane.ply"), this->Path("raised.vtp"), "--samples", "1000" });
-  for (const char* name : { "max", "rms", "max_ab", "max_ba", "rms_ab", "rms_ba" })
-  {
-    EXPECT_NEAR(raised[name].get<double>(), 0.25, 1e-12) << name;
-  }
-  EXPECT_NEAR(raised["diagonal"].get<double>(), std::sqrt(2.0 + 0.0625), 1e-12);
-}
-
-TEST_F(Compare, TheTwoDirectionsAreToldApart)
+TEST(SurfaceDistance, TheTwoDirectionsAreToldApart)
 {
   // A: the unit square. B: its left half. From A to B the distance grows to 1/2, from B to A it is 0.
-  WriteVtp(MTTestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }),
-    this->Path("a.vtp"));
-  WriteVtp(MTTestMeshes::Make({ { 0, 0, 0 }, { 0.5, 0, 0 }, { 0.5, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }),
-    this->Path("b.vtp"));
-  const nlohmann::json json =
-    this->BmtJson({ "compare", this->Path("a.vtp"), this->Path("b.vtp"), "--samples", "100000" });
-  EXPECT_NEAR(json["max_ab"].get<double>(), 0.5, 1e-12);
-  EXPECT_LT(json["max_ba"].get<double>(), 1e-15);
-  EXPECT_LT(json["rms_ba"].get<double>(), 1e-15);
+  vtkMTSampledSurface a =
+    ToSurface(MTTestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
+  vtkMTSampledSurface b = ToSurface(
+    MTTestMeshes::Make({ { 0, 0, 0 }, { 0.5, 0, 0 }, { 0.5, 1, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
+  vtkMTSurfaceDistance distance;
+  std::vector<double> seen;
+  ASSERT_TRUE(distance.Measure(a, b, 100000, 1,
+    [&seen](const std::string&, double share)
+    {
+      seen.push_back(share);
+      return true;
+    }));
+  EXPECT_NEAR(distance.FromAToB.Maximum, 0.5, 1e-12);
+  EXPECT_LT(distance.FromBToA.Maximum, 1e-15);
   // The mean of d^2 over A: half of it is 0, the other half the mean of t^2 for t in [0, 1/2], 1/12.
-  EXPECT_NEAR(json["rms_ab"].get<double>(), std::sqrt(1.0 / 24.0), 1e-3);
-  EXPECT_NEAR(json["rms"].get<double>(), std::sqrt(0.5 / 24.0), 1e-3);
-}
-
-TEST_F(Compare, FarFromTheOriginNoDigitsAreLost)
-{
-  const auto sphere = MTTestMeshes::Icosphere(4);
-  WriteVtp(Moved(sphere, 6378137.0, 4.5e6, -1e5), this->Path("a.vtp"));
-  WriteVtp(Moved(sphere, 6378137.0 + 1e-4, 4.5e6, -1e5), this->Path("b.vtp"));
-  const nlohmann::json json =
-    this->BmtJson({ "compare", this->Path("a.vtp"), this->Path("b.vtp"), "--samples", "50000" });
-  std::cout << json.dump() << "\n";
-  EXPECT_NEAR(json["max"].get<double>(), 1e-4, 3e-9); // the coordinates themselves are rounded to 1e-9
-}
-
-TEST_F(Compare, FiguresDoNotDependOnThreads)
-{
-  this->MakeSphere(20480);
-  this->BmtJson({ "generate", "fractal-sphere", "--triangles", "5120", "-o", this->Path("coarse.ply") });
-  const std::vector<std::string> call = { "compare", this->Path("sphere.ply"), this->Path("coarse.ply"), "--samples",
-    "100000", "--json" };
-  MTRunOptions one;
-  one.Environment = { "VTK_SMP_BACKEND_IN_USE=Sequential" };
-  const MTRun alone = this->Bmt(call, one);
-  const MTRun together = this->Bmt(call);
-  EXPECT_EQ(alone.Exit, 0) << alone.Err;
-  EXPECT_EQ(alone.Out, together.Out);
-}
-
-TEST_F(Compare, NonFiniteAndDegenerateTrianglesAreNoSurface)
-{
-  auto dirty = MTTestMeshes::Icosphere(3);
-  const vtkIdType points = dirty->GetNumberOfPoints();
-  dirty->GetPoints()->InsertNextPoint(std::nan(""), 0.0, 0.0);
-  dirty->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0);
-  dirty->GetPolys()->InsertNextCell({ vtkIdType(0), vtkIdType(1), points });
-  dirty->GetPolys()->InsertNextCell({ points + 1, points + 1, vtkIdType(0) });
-  WriteVtp(dirty, this->Path("dirty.vtp"));
-  WriteVtp(MTTestMeshes::Icosphere(3), this->Path("clean.vtp"));
-  const nlohmann::json json =
-    this->BmtJson({ "compare", this->Path("dirty.vtp"), this->Path("clean.vtp"), "--samples", "1000" });
-  EXPECT_LT(json["max"].get<double>(), 1e-12);
-  EXPECT_LT(json["diagonal"].get<double>(), 4.0);
+  EXPECT_NEAR(distance.FromAToB.RootMeanSquare, std::sqrt(1.0 / 24.0), 1e-3);
+  EXPECT_EQ(distance.Maximum, distance.FromAToB.Maximum);
+  EXPECT_NEAR(distance.Diagonal, std::sqrt(2.0), 1e-15);
+  EXPECT_EQ(distance.FromAToB.Samples, 100000u);
+  EXPECT_EQ(distance.FromAToB.Vertices, 4u);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_DOUBLE_EQ(seen.back(), 1.0);
+  EXPECT_FALSE(distance.Measure(a, b, 100000, 1, [](const std::string&, double) { return false; }));
 }

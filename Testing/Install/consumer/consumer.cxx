@@ -2,6 +2,7 @@
 // consumer FILE: builds a small Multi-Triangulation with the installed headers and libraries, writes it and checks what
 // is in the file.
 #include <vtkMTValidate.h>
+#include <vtkMTVersion.h>
 #include <vtkMultiTriangulation.h>
 #include <vtkMultiTriangulationBuilder.h>
 #include <vtkMultiTriangulationReader.h>
@@ -11,6 +12,11 @@
 #include <vtkSphereSource.h>
 
 #include <iostream>
+#include <string>
+
+#if MT_VERSION_NUMBER < MT_VERSION_CHECK(0, 1, 0)
+#error "vtkMTVersion.h gives no version"
+#endif
 
 int main(int argc, char* argv[])
 {
@@ -18,6 +24,11 @@ int main(int argc, char* argv[])
   {
     std::cerr << "usage: consumer FILE\n";
     return 2;
+  }
+  if (std::string(vtkMTVersion::GetVersion()) != MT_VERSION)
+  {
+    std::cerr << "compiled against " << MT_VERSION << ", runs with " << vtkMTVersion::GetVersion() << "\n";
+    return 1;
   }
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(100);

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTErrorSampling.h"
+
+#include "vtkMTCut.h"
+#include "vtkMTGraph.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMTSurfaceSampler.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace
+{
+vtkMTMeasuringFrame MakeFrame(const vtkMTGraph& graph, const vtkMTSampledSurface& input)
+{
+  vtkMTRealBounds bounds = input.GetBounds();
+  double model[6];
+  graph.GetBounds(model);
+  bounds.Add({ model[0], model[2], model[4] });
+  bounds.Add({ model[1], model[3], model[5] });
+  return vtkMTMeasuringFrame::FromBounds(bounds);
+}
+
+// The builder leaves out what is far outside of everything else, and says how much; what that is shows here by itself.
+vtkMTSampledSurface LeaveOutFar(const vtkMTGraph& graph, vtkMTSampledSurface input)
+{
+  const auto found = graph.InputReport.find("dropped_far_outlier");
+  if (found == graph.InputReport.end())
+  {
+    return input;
+  }
+  double box[6];
+  graph.GetBounds(box);
+  const double margin = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+  const auto isFar = [&](const vtkMTTriangle& triangle)
+  {
+    return std::any_of(triangle.begin(), triangle.end(),
+      [&](std::uint32_t p)
+      {
+        const vtkMTRealPoint& x = input.Points[p];
+        return x[0] < box[0] - margin || x[0] > box[1] + margin || x[1] < box[2] - margin || x[1] > box[3] + margin ||
+          x[2] < box[4] - margin || x[2] > box[5] + margin;
+      });
+  };
+  const auto end = std::remove_if(input.Triangles.begin(), input.Triangles.end(), isFar);
+  input.FarOutliers = input.Triangles.end() - end;
+  input.Triangles.erase(end, input.Triangles.end());
+  return input;
+}
+
+// The cut whose patches are those of one level: everything coarser is refined.
+vtkMTCut MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
+{
+  vtkMTCut cut(graph);
+  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+  {
+    if (graph.Nodes[node].Level > level && !cut.IsRefined(node))
+    {
+      cut.RefineWithDependencies(node);
+    }
+  }
+  return cut;
+}
+
+double GetLargestError(const vtkMTGraph& graph, const std::vector<std::uint32_t>& arcs)
+{
+  double error = 0.0;
+  for (std::uint32_t arc : arcs)
+  {
+    error = std::max(error, graph.Nodes[graph.Arcs[arc].To].Error);
+  }
+  return error;
+}
+
+std::string Describe(const vtkMTRealPoint& x, const std::string& where)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << where << ", near (" << x[0] << ", " << x[1] << ", " << x[2] << ")";
+  return text.str();
+}
+}
+
+vtkMTErrorSampling::vtkMTErrorSampling(
+  const vtkMTPatchSource& source, vtkMTSampledSurface input, std::size_t samples, std::uint64_t seed)
+  : Source(source)
+  , Input(LeaveOutFar(source.GetGraph(), std::move(input)))
+  , Frame(MakeFrame(source.GetGraph(), this->Input))
+  , Samples(samples)
+  , Seed(seed)
+  , NodeDistances(source.GetGraph().Nodes.size(), -1.0)
+  , PatchToInput("certified_patch_to_input")
+  , InputToCut("certified_input_to_cut")
+{
+  const auto& report = source.GetGraph().InputReport;
+  const auto far = report.find("dropped_far_outlier");
+  if (far != report.end() && far->second != this->Input.FarOutliers)
+  {
+    this->InputToCut.Fail("the model lacks " + std::to_string(far->second) + " far outliers, but " +
+      std::to_string(this->Input.FarOutliers) + " triangles of the input lie far outside of it");
+  }
+  this->Input.Transform(this->Frame);
+  this->InputSearch = std::make_unique<vtkMTClosestPoint>(this->Input);
+  this->InputPoints = this->Input.GetUsedPoints();
+  const vtkMTSurfaceSampler::Samples extra =
+    vtkMTSurfaceSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
+  this->InputPoints.insert(this->InputPoints.end(), extra.Points.begin(), extra.Points.end());
+}
+
+vtkMTErrorSampling::~vtkMTErrorSampling() = default;
+
+bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const vtkMTVerificationProgress& progress,
+  CutSurface& cut, std::string& error) const
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const std::vector<unsigned char> noArrays(graph.Arrays.size(), 0);
+  vtkMTPatch patch;
+  for (std::uint32_t arc : arcs)
+  {
+    if (!progress("reading patches", 0.0) || !this->Source.ReadPatch(arc, &noArrays, patch, error))
+    {
+      return false;
+    }
+    const auto first = static_cast<std::uint32_t>(cut.Surface.Points.size());
+    for (const vtkMTPoint& point : patch.Points)
+    {
+      cut.Surface.Points.push_back(this->Frame.ToLocal(graph.Lattice.ToWorld(point)));
+    }
+    for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
+    {
+      const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
+      cut.Surface.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+    }
+    cut.PointNodes.resize(cut.Surface.Points.size(), graph.Arcs[arc].To);
+    cut.TriangleNodes.resize(cut.Surface.Triangles.size(), graph.Arcs[arc].To);
+  }
+  return true;
+}
+
+void vtkMTErrorSampling::Compare(vtkMTVerificationCheck& check, double distance, double error, const std::string& where)
+{
+  ++check.Tested;
+  const double allowed = error + this->GetTolerance();
+  check.Worst = std::max(check.Worst, distance / allowed);
+  if (!(distance <= allowed))
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << where << ": the distance is " << distance << ", the certified error " << error;
+    check.Fail(text.str());
+  }
+}
+
+void vtkMTErrorSampling::CountNode(std::uint32_t node, double distance)
+{
+  this->NodeDistances[node] = std::max(this->NodeDistances[node], distance);
+}
+
+bool vtkMTErrorSampling::TestPatches(
+  const CutSurface& cut, std::uint32_t level, const vtkMTVerificationProgress& progress)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const std::string name = "patches of level " + std::to_string(level);
+  std::vector<double> distances;
+  const auto test = [&](const std::vector<vtkMTRealPoint>& points, const std::vector<std::uint32_t>& owner,
+                      const std::vector<std::uint32_t>* triangles, double before)
+  {
+    const auto advance = [&](double share) { return progress(name + " to input", before + 0.5 * share); };
+    if (!this->InputSearch->Measure(points, distances, nullptr, advance))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const std::uint32_t node = owner[triangles ? (*triangles)[i] : i];
+      const double distance = this->Frame.ToModel(distances[i]);
+      this->CountNode(node, distance);
+      const double error = graph.Nodes[node].Error;
+      const bool isGood = distance <= error + this->GetTolerance();
+      this->Compare(this->PatchToInput, distance, error,
+        isGood ? std::string()
+               : Describe(this->Frame.ToModelPoint(points[i]), "node " + std::to_string(node) + ", " + name));
+    }
+    return true;
+  };
+  if (!test(cut.Surface.Points, cut.PointNodes, nullptr, 0.0))
+  {
+    return false;
+  }
+  const vtkMTSurfaceSampler::Samples samples =
+    vtkMTSurfaceSampler(cut.Surface, this->Samples, this->Seed + level + 1).Take(0, this->Samples);
+  return test(samples.Points, cut.TriangleNodes, &samples.Triangles, 0.5);
+}
+
+bool vtkMTErrorSampling::TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes,
+  const vtkMTVerificationProgress& progress)
+{
+  const vtkMTClosestPoint search(cut.Surface);
+  std::vector<double> distances;
+  std::vector<std::uint32_t> nearest;
+  const auto advance = [&](double share) { return progress("input to " + name, share); };
+  if (!search.Measure(this->InputPoints, distances, &nearest, advance))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const double distance = this->Frame.ToModel(distances[i]);
+    if (countNodes && nearest[i] != vtkMTClosestPoint::NoTriangle)
+    {
+      this->CountNode(cut.TriangleNodes[nearest[i]], distance);
+    }
+    const bool isGood = distance <= error + this->GetTolerance();
+    this->Compare(this->InputToCut, distance, error,
+      isGood ? std::string() : Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name));
+  }
+  ++this->Cuts;
+  return true;
+}
+
+bool vtkMTErrorSampling::TestLevel(std::uint32_t level, const vtkMTVerificationProgress& progress, std::string& error)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const std::vector<std::uint32_t> arcs = MakeLevelCut(graph, level).GetArcs();
+  CutSurface cut;
+  const auto firstHalf = [&](const std::string& step, double share) { return progress(step, 0.5 * share); };
+  const auto secondHalf = [&](const std::string& step, double share) { return progress(step, 0.5 + 0.5 * share); };
+  return this->ReadCut(arcs, firstHalf, cut, error) && this->TestPatches(cut, level, firstHalf) &&
+    this->TestInput(cut, GetLargestError(graph, arcs), "the cut of level " + std::to_string(level), true, secondHalf);
+}
+
+bool vtkMTErrorSampling::TestCut(
+  const vtkMTCut& cut, const std::string& name, const vtkMTVerificationProgress& progress, std::string& error)
+{
+  const std::vector<std::uint32_t> arcs = cut.GetArcs();
+  CutSurface surface;
+  return this->ReadCut(arcs, progress, surface, error) &&
+    this->TestInput(surface, GetLargestError(this->Source.GetGraph(), arcs), name, false, progress);
+}
+
+std::map<std::uint32_t, vtkMTErrorSampling::Tightness> vtkMTErrorSampling::GetTightness() const
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const double least = std::max(graph.Nodes[graph.GetSink()].Error, this->GetTolerance());
+  std::map<std::uint32_t, std::vector<double>> ratios;
+  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+  {
+    if (this->NodeDistances[node] >= 0.0)
+    {
+      const double certified = std::max(graph.Nodes[node].Error, least);
+      ratios[graph.Nodes[node].Level].push_back(certified / std::max(this->NodeDistances[node], least));
+    }
+  }
+  std::map<std::uint32_t, Tightness> result;
+  for (auto& [level, values] : ratios)
+  {
+    std::sort(values.begin(), values.end());
+    const double median = 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+    result[level] = { median, values.back(), values.size() };
+  }
+  return result;
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMTErrorSampling
+ * @brief tests a model's certified errors against the input by sampling
+ *
+ * (a) Every point of a patch is within the patch's error of the input surface: tested for all vertices and for
+ * area-weighted samples of the patches of every level. (b) Every point of the input is no farther from a cut than the
+ * largest error in that cut: tested for all vertices and for area-weighted samples of the input, against the coarsest
+ * cut, one cut for every level, and random ones.
+ *
+ * Independent of the builder: own sampling, own closest point search, own reading of errors from the graph. Input
+ * triangles that are no surface (a corner that is not finite, an index out of range, two corners at one place) are
+ * skipped and counted. So are those that lie at least one extent outside of a model that says that far outliers are
+ * missing from it; their number must be what the model says.
+ */
+#ifndef vtkMTErrorSampling_h
+#define vtkMTErrorSampling_h
+
+#include "vtkMTClosestPoint.h"
+#include "vtkMTSampledSurface.h"
+#include "vtkMTVerificationCheck.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkMTCut;
+class vtkMTPatchSource;
+
+class VTKMTVERIFICATION_EXPORT vtkMTErrorSampling
+{
+public:
+  /// samples: points on each surface beside its vertices. The source must outlive this object.
+  vtkMTErrorSampling(
+    const vtkMTPatchSource& source, vtkMTSampledSurface input, std::size_t samples, std::uint64_t seed);
+  ~vtkMTErrorSampling();
+
+  ///@{
+  /// False when a patch cannot be read, which error says, and when progress stopped it; then error is as it was.
+  /// (a) and (b) for the cut that holds the patches of one level.
+  bool TestLevel(std::uint32_t level, const vtkMTVerificationProgress& progress, std::string& error);
+  /// (b) for any cut.
+  bool TestCut(
+    const vtkMTCut& cut, const std::string& name, const vtkMTVerificationProgress& progress, std::string& error);
+  ///@}
+
+  const vtkMTVerificationCheck& GetPatchToInput() const { return this->PatchToInput; }
+  const vtkMTVerificationCheck& GetInputToCut() const { return this->InputToCut; }
+
+  /**
+   * How tight the bounds are: for the nodes of each tested level the certified error over the largest distance that was
+   * found by sampling, both directions; a sampled distance below the lattice's rounding counts as that rounding.
+   */
+  struct Tightness
+  {
+    double Median = 0.0;
+    double Worst = 0.0;
+    std::size_t Nodes = 0;
+  };
+  /// By level.
+  std::map<std::uint32_t, Tightness> GetTightness() const;
+  /// What the input has, and what of it was left out.
+  const vtkMTSampledSurface& GetInput() const { return this->Input; }
+  std::uint64_t GetNumberOfCuts() const { return this->Cuts; }
+  double GetTolerance() const { return this->Frame.ToModel(vtkMTMeasuringFrame::Tolerance); }
+
+private:
+  struct CutSurface
+  {
+    vtkMTSampledSurface Surface;
+    std::vector<std::uint32_t> TriangleNodes; // the node whose error counts, per triangle
+    std::vector<std::uint32_t> PointNodes;
+  };
+  bool ReadCut(const std::vector<std::uint32_t>& arcs, const vtkMTVerificationProgress& progress, CutSurface& cut,
+    std::string& error) const;
+  bool TestPatches(const CutSurface& cut, std::uint32_t level, const vtkMTVerificationProgress& progress);
+  bool TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes,
+    const vtkMTVerificationProgress& progress);
+  void Compare(vtkMTVerificationCheck& check, double distance, double error, const std::string& where);
+  void CountNode(std::uint32_t node, double distance);
+
+  const vtkMTPatchSource& Source;
+  vtkMTSampledSurface Input;
+  vtkMTMeasuringFrame Frame;
+  std::size_t Samples;
+  std::uint64_t Seed;
+  std::unique_ptr<vtkMTClosestPoint> InputSearch;
+  std::vector<vtkMTRealPoint> InputPoints; // vertices, then samples
+  std::vector<double> NodeDistances;       // largest sampled, model units; negative where nothing was sampled
+  vtkMTVerificationCheck PatchToInput;
+  vtkMTVerificationCheck InputToCut;
+  std::uint64_t Cuts = 0;
+};
+
+#endif

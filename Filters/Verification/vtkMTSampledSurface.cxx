@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTSampledSurface.h"
+
+#include "vtkMTTriangleStream.h"
+
+#include <cmath>
+
+vtkMTRealBounds vtkMTSampledSurface::GetBounds() const
+{
+  vtkMTRealBounds bounds;
+  for (const vtkMTTriangle& triangle : this->Triangles)
+  {
+    for (std::uint32_t point : triangle)
+    {
+      bounds.Add(this->Points[point]);
+    }
+  }
+  return bounds;
+}
+
+void vtkMTSampledSurface::Transform(const vtkMTMeasuringFrame& frame)
+{
+  for (vtkMTRealPoint& point : this->Points)
+  {
+    point = frame.ToLocal(point);
+  }
+}
+
+std::vector<vtkMTRealPoint> vtkMTSampledSurface::GetUsedPoints() const
+{
+  std::vector<unsigned char> used(this->Points.size(), 0);
+  for (const vtkMTTriangle& triangle : this->Triangles)
+  {
+    for (std::uint32_t point : triangle)
+    {
+      used[point] = 1;
+    }
+  }
+  std::vector<vtkMTRealPoint> points;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (used[i])
+    {
+      points.push_back(this->Points[i]);
+    }
+  }
+  return points;
+}
+
+double vtkMTSampledSurface::GetArea(std::size_t triangle) const
+{
+  const vtkMTTriangle& t = this->Triangles[triangle];
+  const vtkMTRealPoint& a = this->Points[t[0]];
+  vtkMTRealPoint u, v;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    u[axis] = this->Points[t[1]][axis] - a[axis];
+    v[axis] = this->Points[t[2]][axis] - a[axis];
+  }
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
+namespace
+{
+bool IsFinite(const vtkMTRealPoint& x)
+{
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+void AddTriangle(vtkMTSampledSurface& surface, const std::array<std::uint64_t, 3>& triangle)
+{
+  for (std::uint64_t point : triangle)
+  {
+    if (point >= surface.Points.size())
+    {
+      ++surface.OutOfRange;
+      return;
+    }
+  }
+  for (std::uint64_t point : triangle)
+  {
+    if (!IsFinite(surface.Points[point]))
+    {
+      ++surface.NonFinite;
+      return;
+    }
+  }
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    if (surface.Points[triangle[corner]] == surface.Points[triangle[(corner + 1) % 3]])
+    {
+      ++surface.Degenerate;
+      return;
+    }
+  }
+  surface.Triangles.push_back({ static_cast<std::uint32_t>(triangle[0]), static_cast<std::uint32_t>(triangle[1]),
+    static_cast<std::uint32_t>(triangle[2]) });
+}
+}
+
+bool vtkMTSampledSurface::Read(vtkMTTriangleStream& stream, const std::function<bool()>& goOn, std::string& error)
+{
+  *this = vtkMTSampledSurface();
+  constexpr std::uint64_t limit = 0xfffffffe;
+  bool good = stream.Rewind();
+  if (good && (stream.GetNumberOfPoints() > limit || stream.GetNumberOfTriangles() > limit))
+  {
+    error = "has more than 4 billion points or triangles; compare smaller parts of it";
+    return false;
+  }
+  this->Points.reserve(good ? stream.GetNumberOfPoints() : 0);
+  this->Triangles.reserve(good ? stream.GetNumberOfTriangles() : 0);
+  vtkMTTriangleStream::PointBlock points;
+  vtkMTTriangleStream::TriangleBlock triangles;
+  while ((good = good && stream.NextPoints(points)) && !points.Points.empty())
+  {
+    this->Points.insert(this->Points.end(), points.Points.begin(), points.Points.end());
+    if (!goOn())
+    {
+      return false;
+    }
+  }
+  while ((good = good && stream.NextTriangles(triangles)) && !triangles.Triangles.empty())
+  {
+    for (const std::array<std::uint64_t, 3>& triangle : triangles.Triangles)
+    {
+      AddTriangle(*this, triangle);
+    }
+    if (!goOn())
+    {
+      return false;
+    }
+  }
+  if (!good)
+  {
+    error = stream.GetError();
+    return false;
+  }
+  if (this->Triangles.empty())
+  {
+    error = "has no triangle with three finite, different corners; name a mesh that has some";
+    return false;
+  }
+  return true;
+}
