@@ -61,7 +61,7 @@ private:
     char line[300];
     std::snprintf(line, sizeof(line),
       "%lld triangles  %lld patches  error %.2f of %.2f pixels  cut %.1f ms  frame %.1f ms%s",
-      static_cast<long long>(mapper->GetTriangles()), static_cast<long long>(mapper->GetPatches()),
+      static_cast<long long>(mapper->GetNumberOfTriangles()), static_cast<long long>(mapper->GetNumberOfPatches()),
       mapper->GetAchievedPixelError(), mapper->GetPixelError(), 1e3 * mapper->GetCutTime(),
       1e3 * this->Scene.Renderer->GetLastRenderTimeInSeconds(), mapper->GetFreezeCut() ? "  FROZEN" : "");
     this->Text->SetInput((std::string(line) + (this->ShowKeys ? std::string("\n") + Keys : "  (h: keys)")).c_str());

@@ -300,7 +300,7 @@ bool vtkMultiTriangulationCutFilter::FindCut(const Model& model, vtkMTCut& cut)
     {
       vtkMTTargetCut::Input input;
       input.Graph = &graph;
-      input.View = &model.View;
+      input.Views = { model.View };
       vtkMTTargetCut::Settings settings;
       settings.PixelError = this->PixelError;
       cut = target.Extract(input, settings).Cut;

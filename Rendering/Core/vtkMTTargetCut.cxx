@@ -36,7 +36,7 @@ struct vtkMTTargetCut::Scratch
     this->TouchedNodes.clear();
     this->Marks.resize(input.Graph->Nodes.size(), 0);
     this->Wanted.resize(input.Graph->Nodes.size(), NotWanted);
-    this->Views.Begin(*input.Graph, input.View, settings);
+    this->Views.Begin(*input.Graph, input.Views, settings);
   }
 };
 
