@@ -164,7 +164,7 @@ protected:
     MTTestModel::TubeOptions options;
     options.Rings = 1024;
     options.Regions = 64;
-    this->Source = std::make_shared<MTGatedSource>(MTTestModel::TubeMaker(options).Make());
+    this->Source = std::make_shared<MTGatedSource>(MTTestModel::MakeTube(options));
     EXPECT_TRUE(this->Drawn.SetSource(this->Source, vtkMTPatchLoader::Settings()));
     this->Settings.Cut.PixelError = 0.5;
     this->Settings.Cut.Prefetch = false;
