@@ -151,7 +151,7 @@ std::vector<unsigned char> vtkMTPatchCache::GetArraysToRead(const std::vector<Wa
   return arrays;
 }
 
-// Says to the loader what to load, as far as there is room, and makes that room.
+// Tells the loader what to load, as far as there is room, and makes that room.
 void vtkMTPatchCache::Order()
 {
   std::vector<Want> missing = this->MergeWants();
@@ -201,6 +201,12 @@ void vtkMTPatchCache::Order()
     }
     order->Arcs.push_back(want.Arc);
   }
+  this->Post(std::move(order));
+}
+
+// To the loader, which is started when there is something to load for the first time.
+void vtkMTPatchCache::Post(std::shared_ptr<const vtkMTPatchLoader::Order> order)
+{
   this->Missing = order->Arcs.size();
   std::string error;
   if (!order->Arcs.empty() && !this->Loader->IsRunning() && !this->Loader->Start(this->LoaderSettings, error))

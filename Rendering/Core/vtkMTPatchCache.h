@@ -130,6 +130,7 @@ private:
   std::vector<unsigned char> GetArraysToRead(const std::vector<Want>& missing) const;
   std::vector<Want> MergeWants();
   void Order();
+  void Post(std::shared_ptr<const vtkMTPatchLoader::Order> order);
 
   std::shared_ptr<const vtkMTPatchSource> Source;
   std::shared_ptr<vtkMTMemoryLimit> Memory;
