@@ -77,7 +77,7 @@ TEST_F(FileBuilderInputs, SeveralMeshesBecomeParts)
   EXPECT_EQ(builder->GetFileName(1), this->Folder / "square.ply");
   EXPECT_EQ(builder->GetFileName(2), nullptr);
   this->Build(builder);
-  EXPECT_EQ(this->Model.GetGraph().InputTriangles, 1282u);
+  EXPECT_EQ(this->Model.GetGraph().InputCounts.Triangles, 1282u);
   EXPECT_EQ(this->GetArrays().count("PartId"), 1u);
   const std::vector<vtkMTBuildInput::Part>& parts = builder->GetReport().Input.Parts;
   ASSERT_EQ(parts.size(), 2u);
@@ -135,7 +135,7 @@ TEST_F(FileBuilderInputs, AVolumeNeedsAnIsoValue)
   double bounds[6];
   this->Model.GetGraph().GetBounds(bounds);
   EXPECT_NEAR(bounds[1] - bounds[0], 2.0 * std::sqrt(60.0), 0.1);
-  std::printf("%llu triangles\n", static_cast<unsigned long long>(this->Model.GetGraph().InputTriangles));
+  std::printf("%llu triangles\n", static_cast<unsigned long long>(this->Model.GetGraph().InputCounts.Triangles));
   EXPECT_TRUE(builder->GetReport().Input.IsStreamed);
   builder->GradientNormalsOn();
   this->Build(builder);
@@ -150,7 +150,7 @@ TEST_F(FileBuilderInputs, AModelIsItsFinestLevel)
   ASSERT_EQ(builder->Write(), 1) << builder->GetErrorMessage();
   builder->SetFileName((this->Folder / "first.bmt").c_str());
   this->Build(builder);
-  EXPECT_EQ(this->Model.GetGraph().InputTriangles, 5120u);
+  EXPECT_EQ(this->Model.GetGraph().InputCounts.Triangles, 5120u);
 }
 
 TEST_F(FileBuilderInputs, NoPointMovesByMoreThanThePrecision)
