@@ -80,7 +80,7 @@ void ConfigureInput(const Options& options, Builder* builder)
   if (builder->GetVerticalScale() != options.Input.VerticalScale ||
     builder->GetIsoValue() != options.Input.IsoValue.value_or(0.0))
   {
-    throw bmtError("nothing was built"); // the builder has said why
+    throw bmtError("nothing was built"); // the builder has reported why
   }
 }
 

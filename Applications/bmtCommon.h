@@ -63,7 +63,7 @@ void bmtThrowIfInterrupted();
 /**
  * While it lives an interruption ends the program within a second, whatever that is doing: for work that loses nothing
  * by it. Where the work does not end by itself in `patience` seconds, `leave` runs in a thread of its own; it cleans up
- * and gives what is to be said.
+ * and gives what is to be reported.
  */
 class bmtInterruptWatch
 {
@@ -92,7 +92,7 @@ public:
   ~bmtProgress();
   bmtProgress(const bmtProgress&) = delete;
   void operator=(const bmtProgress&) = delete;
-  /// With what is being done, if anything is to be said of it, and how long it may still take.
+  /// With what is being done, if anything is to be reported of it, and how long it may still take.
   void Update(double fraction, const std::string& step = "");
 
 private:
@@ -119,7 +119,7 @@ void bmtWarn(const std::string& text);
 /// Seconds since some fixed moment.
 double bmtWallSeconds();
 
-/// What the command line said, filled by the sub-command's options.
+/// What the command line gave, filled by the sub-command's options.
 struct bmtContext
 {
   bool Json = false;

@@ -226,9 +226,9 @@ void bmtScene::ColorByArray(const std::string& name)
 bmtJson bmtScene::DescribeFrame() const
 {
   bmtJson json;
-  json["triangles"] = this->Mapper->GetTriangles();
-  json["patches"] = this->Mapper->GetPatches();
-  json["culled_patches"] = this->Mapper->GetCulledPatches();
+  json["triangles"] = this->Mapper->GetNumberOfTriangles();
+  json["patches"] = this->Mapper->GetNumberOfPatches();
+  json["culled_patches"] = this->Mapper->GetNumberOfCulledPatches();
   json["pixel_error"] = this->Mapper->GetAchievedPixelError(); // null where it has no bound
   json["converged"] = this->Mapper->GetConverged();
   json["cut_ms"] = 1e3 * this->Mapper->GetCutTime();

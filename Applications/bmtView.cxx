@@ -28,7 +28,8 @@ const char* const Keys = "f       freeze the cut, or let it follow the camera ag
                          "h       show or hide these keys\n"
                          "q       quit";
 
-// The line of figures is drawn in a layer of its own, after the model: it speaks of the frame in which it is seen.
+// The line of figures is drawn in a layer of its own, after the model: its figures are those of the frame in which it
+// is seen.
 class Figures
 {
 public:
@@ -60,7 +61,7 @@ private:
     char line[300];
     std::snprintf(line, sizeof(line),
       "%lld triangles  %lld patches  error %.2f of %.2f pixels  cut %.1f ms  frame %.1f ms%s",
-      static_cast<long long>(mapper->GetTriangles()), static_cast<long long>(mapper->GetPatches()),
+      static_cast<long long>(mapper->GetNumberOfTriangles()), static_cast<long long>(mapper->GetNumberOfPatches()),
       mapper->GetAchievedPixelError(), mapper->GetPixelError(), 1e3 * mapper->GetCutTime(),
       1e3 * this->Scene.Renderer->GetLastRenderTimeInSeconds(), mapper->GetFreezeCut() ? "  FROZEN" : "");
     this->Text->SetInput((std::string(line) + (this->ShowKeys ? std::string("\n") + Keys : "  (h: keys)")).c_str());

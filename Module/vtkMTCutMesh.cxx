@@ -23,6 +23,10 @@ bool vtkMTCutMesh::Make(const vtkMTPatchSource& source, vtkPolyData* output, std
     {
       return false;
     }
+    if (graph.Arcs[this->Arcs[i]].IsDependency())
+    {
+      continue;
+    }
     if (!source.ReadPatch(this->Arcs[i], this->Arrays, patch, error))
     {
       return false;

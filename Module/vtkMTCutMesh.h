@@ -27,9 +27,9 @@ struct VTKMTCORE_EXPORT vtkMTCutMesh
   std::function<bool(double)> Progress;               ///< takes a fraction; false stops
 
   /**
-   * False, with the reason in error, when a patch cannot be read; error is empty where Progress stopped it. wedgePoints,
-   * when given, gets for each point of the polydata (a wedge) the point that it is of: those with the same value are
-   * the same place and differ in attribute values.
+   * False, with the reason in error, when a patch cannot be read; error is empty where Progress stopped it.
+   * wedgePoints, when given, gets for each point of the polydata (a wedge) the point that it is of: those with the same
+   * value are the same place and differ in attribute values.
    */
   bool Make(const vtkMTPatchSource& source, vtkPolyData* output, std::string& error,
     std::vector<std::uint32_t>* wedgePoints = nullptr) const;

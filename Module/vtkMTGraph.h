@@ -148,7 +148,7 @@ struct vtkMTGraphFigures
   }
 };
 
-/// Bytes that are carried with the model as they are, such as an image that its texture coordinates speak of.
+/// Bytes that are carried with the model as they are, such as an image that its texture coordinates refer to.
 struct vtkMTBlobInfo
 {
   std::string Name;                              ///< as the input calls it

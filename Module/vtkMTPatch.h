@@ -5,7 +5,7 @@
  *
  * Three kinds of index meet here. A *point* is a place on the lattice with an identity. A *wedge* is a point together
  * with one set of attribute values: where a seam runs through a point (texture coordinates, hard edges), that point has
- * several wedges. A triangle has three wedges. Geometry and conformity speak of points, attributes of wedges.
+ * several wedges. A triangle has three wedges. Geometry and conformity refer to points, attributes to wedges.
  *
  * Identity: two patches of one cut share a point when both hold the same id, and then both hold the same integers. Only
  * the first Ids.size() points can be shared with other patches; all later points belong to this patch alone. (While a

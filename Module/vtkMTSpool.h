@@ -21,7 +21,7 @@
 class VTKMTCORE_EXPORT vtkMTSpool
 {
 public:
-  virtual ~vtkMTSpool();
+  virtual ~vtkMTSpool() = default;
 
   ///@{
   /// False on failure, with a message in error, which is otherwise left as it is.

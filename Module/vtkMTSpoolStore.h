@@ -25,7 +25,7 @@
 class VTKMTCORE_EXPORT vtkMTSpoolStore
 {
 public:
-  virtual ~vtkMTSpoolStore();
+  virtual ~vtkMTSpoolStore() = default;
 
   ///@{
   /// A new spool; null on failure, with a message in error. A name must be new; it has letters, digits and '-' only.

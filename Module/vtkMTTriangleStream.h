@@ -21,7 +21,7 @@
 class VTKMTCORE_EXPORT vtkMTTriangleStream
 {
 public:
-  virtual ~vtkMTTriangleStream();
+  virtual ~vtkMTTriangleStream() = default;
 
   struct PointBlock
   {

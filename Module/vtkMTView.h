@@ -36,8 +36,8 @@ struct VTKMTCORE_EXPORT vtkMTView
 
   /**
    * From a camera's matrices, row-major, so that parallel, oblique and explicit projections are covered; where the
-   * frustum is not symmetric, the larger half counts. projection takes eye space to the cube of +-1, size is that of the
-   * picture in pixels, range the clipping range.
+   * frustum is not symmetric, the larger half counts. projection takes eye space to the cube of +-1, size is that of
+   * the picture in pixels, range the clipping range.
    */
   static vtkMTView FromProjection(const std::array<double, 16>& modelToEye, const double projection[16],
     const std::array<int, 2>& size, const double range[2]);

@@ -7,6 +7,7 @@
 #include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
+#include "vtkMTArrayInfo.h"
 #include "vtkMTCut.h"
 #include "vtkMTCutMesh.h"
 #include "vtkMTGraph.h"
@@ -142,6 +143,16 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
     vtkErrorMacro("The patches of " << source->GetName() << " cannot be read: " << reason);
     return false;
   }
+  vtkMTPlacement placement;
+  placement.Matrix = graph.Frame.value_or(placement.Matrix);
+  if (!vtkMTPlacement::IsSound(placement.Matrix.data()))
+  {
+    this->Initialize();
+    vtkErrorMacro("The frame of " << source->GetName() << " is no affine map that has an inverse.");
+    return false;
+  }
+  placement.Apply(this);
+  this->Frame = placement.Matrix;
   this->Source = std::move(source);
   this->SourcePoints = this->Points;
   this->CutIsChosen = isChosen;
@@ -198,6 +209,47 @@ void vtkMultiTriangulation::GetModelBounds(double bounds[6]) const
   vtkMTPlacement placement;
   this->GetFrame(placement.Matrix.data());
   placement.ToObject(box, bounds);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulation::GetArrayRange(const char* name, int association, int component, double range[2]) const
+{
+  const std::shared_ptr<const vtkMTPatchSource> source = this->GetSource();
+  const int wanted = association == vtkDataObject::CELL ? vtkMTArrayInfo::Cell : vtkMTArrayInfo::Point;
+  if (!source || !name || (association != vtkDataObject::POINT && association != vtkDataObject::CELL))
+  {
+    return false;
+  }
+  const vtkMTGraph& graph = source->GetKnownGraph();
+  const auto found = std::find_if(graph.Arrays.begin(), graph.Arrays.end(),
+    [&](const vtkMTArrayInfo& array) { return array.Name == name && array.Association == wanted; });
+  const auto index = static_cast<std::size_t>(found - graph.Arrays.begin());
+  if (index >= graph.ArrayRanges.size() || component < -1 || component >= found->Components)
+  {
+    return false;
+  }
+  const std::vector<vtkMTRange>& ranges = graph.ArrayRanges[index];
+  double least = component < 0 ? 0.0 : ranges[component].Minimum;
+  double largest = component < 0 ? 0.0 : ranges[component].Maximum;
+  for (const vtkMTRange& each : ranges)
+  {
+    if (component < 0 && each.IsEmpty())
+    {
+      return false;
+    }
+    if (component < 0)
+    {
+      least = std::hypot(least, std::max({ each.Minimum, -each.Maximum, 0.0 }));
+      largest = std::hypot(largest, std::max(std::abs(each.Minimum), std::abs(each.Maximum)));
+    }
+  }
+  if (!(least <= largest))
+  {
+    return false;
+  }
+  range[0] = least;
+  range[1] = largest;
+  return true;
 }
 
 //------------------------------------------------------------------------------

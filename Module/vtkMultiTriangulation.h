@@ -16,9 +16,9 @@
  * on their input port. Mappers and writers, which have no output, are not warned of.
  *
  * Placement: the patches lie on the lattice and stay there. The object has an affine map from the lattice's coordinates
- * to its own, the frame: the identity, until ApplyTransform. Points and cells of the object, its bounds, and what the
- * toolkit's mapper, locator and filters make of it are in the object's coordinates. Errors in those are the model's
- * times GetStretch.
+ * to its own, the frame: that of the model, the identity where it has none, and what ApplyTransform adds. Points and
+ * cells of the object, its bounds, and what the toolkit's mapper, locator and filters make of it are in the object's
+ * coordinates. Errors in those are the model's times GetStretch.
  */
 #ifndef vtkMultiTriangulation_h
 #define vtkMultiTriangulation_h
@@ -72,10 +72,11 @@ public:
    * The patches. SetSource also fills the points and cells, with all arrays, from the coarsest cut whose certified
    * distance to the input is at most `error`, in model units, or from the finest level where that is not enough;
    * infinity, the default, is the coarsest cut of all, and NaN is taken for it. It returns false, with an error event,
-   * when a patch cannot be read, and is then empty. The frame is the identity again.
+   * when a patch cannot be read or the model's frame is no affine map with an inverse, and is then empty. The frame is
+   * the model's, or the identity where it has none.
    */
-  bool SetSource(std::shared_ptr<const vtkMTPatchSource> source,
-    double error = std::numeric_limits<double>::infinity());
+  bool SetSource(
+    std::shared_ptr<const vtkMTPatchSource> source, double error = std::numeric_limits<double>::infinity());
   /// Null when there is none, and from the moment when the points have been replaced.
   std::shared_ptr<const vtkMTPatchSource> GetSource() const;
   ///@}
@@ -110,6 +111,16 @@ public:
    */
   void GetModelBounds(double bounds[6]) const;
 
+  /**
+   * The least and the largest value of an array in the finest level of the model, from the DAG, nothing is read: what a
+   * colour table should span, also while coarser patches are drawn. association is vtkDataObject::POINT or CELL,
+   * component counts from 0, and -1 is the magnitude of the tuples: then the range is a bound, from those of the
+   * components, which the tuples need not reach. NaN is left out; 64-bit integers are rounded. Values are as they are
+   * stored: a frame does not turn them. False, and the range is left alone, where there is no such array or component,
+   * or no value that is a number.
+   */
+  bool GetArrayRange(const char* name, int association, int component, double range[2]) const;
+
   ///@{
   /// From an information object, as in every VTK data class.
   static vtkMultiTriangulation* GetData(vtkInformation* info);
@@ -140,7 +151,7 @@ private:
   std::shared_ptr<const vtkMTPatchSource> Source;
   vtkSmartPointer<vtkPoints> SourcePoints; // those which the handle belongs to
   std::array<double, 16> Frame;
-  bool CutIsChosen = false; // the points and cells are what somebody asked for
+  bool CutIsChosen = false; // the points and cells are a cut that was asked for
   bool HasWarned = false;
   std::vector<vtkWeakPointer<vtkAlgorithm>> TrivialProducers;
 };

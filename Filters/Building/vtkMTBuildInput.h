@@ -5,7 +5,7 @@
  *
  * What can be read block by block is: a mesh of a format that vtkMTMeshStream knows, several of them whose arrays are
  * the same, a volume of which an isosurface without gradient normals is wanted, and tiles of terrain alone. Everything
- * else is read whole: of a model the finest level, of a volume the isosurface. All tiles of terrain are one terrain, in
+ * else is read whole: of a model the finest level, of a volume the isosurface. All tiles of terrain are one terrain, at
  * the place of the first of them. Several meshes become one with a cell array that says which part a cell is of
  * (vtkMTMeshMerge). The triangles are the same either way.
  */

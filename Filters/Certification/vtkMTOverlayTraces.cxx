@@ -110,7 +110,7 @@ private:
     return true;
   }
 
-  // Projecting to and fro brings the partners nearer together.
+  // Projecting back and forth brings the partners nearer together.
   void CrossBetween(std::uint32_t h, Vector partner)
   {
     const Vector& p = this->Fragment.GetPlace(h);

@@ -299,7 +299,7 @@ void vtkMTPieceBound::BoundPiece(Entry entry)
   this->CutInHalves(entry);
 }
 
-// Cuts the piece along the edges of the guessed triangle, seen along its normal. What lies outside an edge belongs to
+// Splits the piece along the edges of the guessed triangle, seen along its normal. What lies outside an edge belongs to
 // the triangle behind that edge, as a guess. False when the piece is not partly over the triangle, or has too many
 // corners.
 bool vtkMTPieceBound::CutAlong(const Entry& entry)

@@ -6,8 +6,8 @@
  * The values of an implicit function are no distances in general, so its values at the corners of a box say nothing of
  * what is between them. What is done instead:
  *
- * - vtkPlane, vtkPlanes, vtkSphere and vtkBox are looked at by their geometry. The answer is certain: where it says that
- *   a sign does not occur, it does not. (The other way round, vtkPlanes may be called negative near a corner.)
+ * - vtkPlane, vtkPlanes, vtkSphere and vtkBox are looked at by their geometry. The answer is certain: where it says
+ * that a sign does not occur, it does not. (The other way round, vtkPlanes may be called negative near a corner.)
  * - A vtkImplicitBoolean of such functions (union, intersection, difference) likewise, sign by sign.
  * - A linear transform of such a function: the box is turned into the function's own coordinates, and the box of its
  *   corners there is looked at. Certain, a little less tight.

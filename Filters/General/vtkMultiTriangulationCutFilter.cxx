@@ -223,8 +223,8 @@ vtkDataArraySelection* vtkMultiTriangulationCutFilter::GetCellArraySelection()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkMultiTriangulationCutFilter::GetMTime()
 {
-  vtkMTimeType time = std::max(
-    { this->Superclass::GetMTime(), this->Selections[0]->GetMTime(), this->Selections[1]->GetMTime() });
+  vtkMTimeType time =
+    std::max({ this->Superclass::GetMTime(), this->Selections[0]->GetMTime(), this->Selections[1]->GetMTime() });
   if (this->Region)
   {
     time = std::max(time, this->Region->GetMTime());
@@ -274,10 +274,10 @@ bool vtkMultiTriangulationCutFilter::FindView(Model& model)
   }
   const double aspect = this->Renderer ? this->Renderer->GetTiledAspectRatio() : static_cast<double>(size[0]) / size[1];
   std::array<double, 16> modelToEye;
-  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(),
-    model.Placed.Placement.Matrix.data(), modelToEye.data());
-  model.View = vtkMTView::FromProjection(modelToEye, camera->GetProjectionTransformMatrix(aspect, -1, 1)->GetData(),
-    size, camera->GetClippingRange());
+  vtkMatrix4x4::Multiply4x4(
+    camera->GetModelViewTransformMatrix()->GetData(), model.Placed.Placement.Matrix.data(), modelToEye.data());
+  model.View = vtkMTView::FromProjection(
+    modelToEye, camera->GetProjectionTransformMatrix(aspect, -1, 1)->GetData(), size, camera->GetClippingRange());
   return true;
 }
 
@@ -300,7 +300,7 @@ bool vtkMultiTriangulationCutFilter::FindCut(const Model& model, vtkMTCut& cut)
     {
       vtkMTTargetCut::Input input;
       input.Graph = &graph;
-      input.View = &model.View;
+      input.Views = { model.View };
       vtkMTTargetCut::Settings settings;
       settings.PixelError = this->PixelError;
       cut = target.Extract(input, settings).Cut;

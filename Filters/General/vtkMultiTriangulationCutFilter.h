@@ -3,10 +3,10 @@
  * @class vtkMultiTriangulationCutFilter
  * @brief a cut of a Multi-Triangulation as one conforming, welded mesh
  *
- * Input is a vtkMultiTriangulation with patches, output its mesh at the resolution that was asked for: for every filter,
- * writer and mapper that knows polydata and nothing else. A point appears more than once only where its attribute values
- * differ (wedges). Any cut of a Multi-Triangulation is conforming (Cignoni et al., "Batched Multi Triangulation", 2005,
- * section 3.1), however its resolution varies; a closed manifold gives closed manifolds.
+ * Input is a vtkMultiTriangulation with patches, output its mesh at the resolution that was asked for: for every
+ * filter, writer and mapper that knows polydata and nothing else. A point appears more than once only where its
+ * attribute values differ (wedges). Any cut of a Multi-Triangulation is conforming (Cignoni et al., "Batched Multi
+ * Triangulation", 2005, section 3.1), however its resolution varies; a closed manifold gives closed manifolds.
  *
  * Which cut, is what the last of these calls asked for:
  *
@@ -23,19 +23,21 @@
  * cut is as coarse as OutsideError and conformity allow. Promised is: every patch of the output whose box, grown by its
  * error, the function can be negative in, is as fine as asked. Because the input surface that a patch stands for lies
  * within that grown box, the surface inside the region is as fine as asked, too. What "can be negative in a box" means:
- * planes (vtkPlane, vtkPlanes), vtkSphere, vtkBox, their unions, intersections and differences (vtkImplicitBoolean), all
- * of these with linear transforms, are looked at by their geometry, and the promise is certain. Of any other function
- * nothing is known between two of its values, which are no distances in general; it is sampled at 5 x 5 x 5 points of
- * each box, and twice the steepest gradient found there bounds what is between them. Features that are smaller than a
- * quarter of a patch's box and that no sample's gradient gives away can be missed: give their bounding box as region.
+ * planes (vtkPlane, vtkPlanes), vtkSphere, vtkBox, their unions, intersections and differences (vtkImplicitBoolean),
+ * all of these with linear transforms, are looked at by their geometry, and the promise is certain. Of any other
+ * function nothing is known between two of its values, which are no distances in general; it is sampled at 5 x 5 x 5
+ * points of each box, and twice the steepest gradient found there bounds what is between them. Features that are
+ * smaller than a quarter of a patch's box and that no sample's gradient gives away can be missed: give their bounding
+ * box as region.
  *
- * All lengths, the region and the camera are in the coordinates of the input object: what vtkMultiTriangulationTransform
- * has done to it is taken into account.
+ * All lengths, the region and the camera are in the coordinates of the input object: what
+ * vtkMultiTriangulationTransform has done to it is taken into account.
  *
  * The filter reports progress and can be aborted; the output is then empty. Errors: vtkErrorMacro, GetErrorMessage and
- * an error code: vtkErrorCode::UserError for what cannot be given (fewer triangles than the coarsest cut, a smaller error
- * than the finest level's, a level that is not there, a view without size), FileFormatError for patches that cannot be
- * read, UnknownError for input without patches. The output is then empty. An abort has UserError and raises no event.
+ * an error code: vtkErrorCode::UserError for what cannot be given (fewer triangles than the coarsest cut, a smaller
+ * error than the finest level's, a level that is not there, a view without size), FileFormatError for patches that
+ * cannot be read, UnknownError for input without patches. The output is then empty. An abort has UserError and raises
+ * no event.
  *
  * @sa vtkMultiTriangulation vtkMultiTriangulationSection vtkMultiTriangulationTransform
  */

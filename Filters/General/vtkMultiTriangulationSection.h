@@ -3,22 +3,22 @@
  * @class vtkMultiTriangulationSection
  * @brief the lines in which an implicit function is zero on a Multi-Triangulation
  *
- * What vtkCutter makes of a mesh, without the mesh: the cut is refined to the asked error where the function can be zero
- * and stays as coarse as conformity allows elsewhere, and of it only those patches are read whose boxes the function can
- * be zero in. So the cost follows the section and not the model.
+ * What vtkCutter makes of a mesh, without the mesh: the cut is refined to the asked error where the function can be
+ * zero and stays as coarse as conformity allows elsewhere, and of it only those patches are read whose boxes the
+ * function can be zero in. So the cost follows the section and not the model.
  *
  * The patches that are read are welded by identity, and a line's ends belong to edges of the welded mesh. Patches of a
- * cut share their border points (Cignoni et al., "Batched Multi Triangulation", 2005, section 3.1), so the section has no
- * gap where patches meet: on a closed manifold every point has two lines, and the lines are closed loops. Where the
- * mesh has wedges, as along the seam of a texture, points are doubled, place by place, as they are in the mesh. Lines of
- * length 0 occur where the function is exactly zero at a point of the mesh. Each cell of the output is one line of two
- * points, which run so that the negative side is on their left; vtkStripper joins them.
+ * cut share their border points (Cignoni et al., "Batched Multi Triangulation", 2005, section 3.1), so the section has
+ * no gap where patches meet: on a closed manifold every point has two lines, and the lines are closed loops. Where the
+ * mesh has wedges, as along the seam of a texture, points are doubled, place by place, as they are in the mesh. Lines
+ * of length 0 occur where the function is exactly zero at a point of the mesh. Each cell of the output is one line of
+ * two points, which run so that the negative side is on their left; vtkStripper joins them.
  *
  * Point arrays are interpolated along the edges; ids and labels come from the nearer end, normals are scaled to length
  * 1, global ids are left out. Cell arrays are those of the triangle that a line lies in.
  *
- * Every point of a section is within SectionError of the input surface. That bounds the distance of the surfaces; how far
- * the lines are from those of the input depends on the angle at which the function meets the surface, too.
+ * Every point of a section is within SectionError of the input surface. That bounds the distance of the surfaces; how
+ * far the lines are from those of the input depends on the angle at which the function meets the surface, too.
  *
  * For which functions it is certain that no patch is missed, and what is done with others, is described at
  * vtkMultiTriangulationCutFilter. The function and all lengths are in the coordinates of the input object.

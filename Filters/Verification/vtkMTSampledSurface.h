@@ -5,7 +5,7 @@
  *
  * The verification shares no code with the builder: it has its own surface, sampling and closest point search. What it
  * does share is the definition of the input: a triangle stream has triangulated polygons and strips already, because a
- * bent polygon is no surface before somebody says where its diagonals run.
+ * bent polygon is no surface before it is known where its diagonals run.
  */
 #ifndef vtkMTSampledSurface_h
 #define vtkMTSampledSurface_h

@@ -170,7 +170,7 @@ bool Stream::TakeLine(std::string_view& line)
     const std::size_t size = this->Buffer.size() - this->Next;
     const char* begin = reinterpret_cast<const char*>(this->Buffer.data() + this->Next);
     const char* end = std::find_if(begin + looked, begin + size, [](char c) { return c == '\n' || c == '\r'; });
-    // After \r one more byte must be at hand to see whether it is \r\n.
+    // After \r one more byte must be in memory to see whether it is \r\n.
     if (end != begin + size && (*end == '\n' || end + 1 != begin + size || this->GetLeft() == size))
     {
       line = std::string_view(begin, static_cast<std::size_t>(end - begin));

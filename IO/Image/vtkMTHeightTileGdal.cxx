@@ -95,7 +95,7 @@ bool vtkMTHeightTile::ReadGdal(std::string& error)
     error = "is smaller than 2 x 2 samples, or its unit is unknown";
     return false;
   }
-  // The transform speaks of pixels' corners; samples are at their centres.
+  // The transform is that of pixels' corners; samples are at their centres.
   this->StepX = transform[1] * unit;
   this->StepY = -transform[5] * unit;
   this->West = transform[0] * unit + 0.5 * this->StepX;

@@ -77,7 +77,7 @@ struct GridRow
 };
 
 //------------------------------------------------------------------------------
-// Row by row from the south: two rows are at hand at a time, however far tiles are apart.
+// Row by row from the south: two rows are in memory at a time, however far tiles are apart.
 class Walk
 {
 public:
@@ -122,7 +122,7 @@ public:
     return true;
   }
 
-  // Between the row before and this one. Where some tile has the square: three tiles that meet make no triangle in the
+  // Between the row before and this one. Where some tile has the square: three tiles that meet make no triangle at the
   // place of the fourth.
   template <typename Use>
   void ForEachTriangle(Use&& use) const

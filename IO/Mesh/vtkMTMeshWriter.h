@@ -20,8 +20,8 @@
  *   ("_" and their names), all in single precision; where that would lose digits of the positions they are relative
  *   to the middle of the bounds, which is the node's translation.
  *
- * PLY, OBJ and glTF are written block by block, in memory that does not grow with the mesh; STL needs all points at
- * hand.
+ * PLY, OBJ and glTF are written block by block, in memory that does not grow with the mesh; STL needs all points in
+ * memory.
  */
 #ifndef vtkMTMeshWriter_h
 #define vtkMTMeshWriter_h

@@ -10,6 +10,7 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 
+#include <array>
 #include <numeric>
 
 vtkStandardNewMacro(vtkMultiTriangulationWriter);
@@ -54,10 +55,10 @@ void vtkMultiTriangulationWriter::WriteData()
                               "Multi-Triangulation"));
     return;
   }
-  this->WritePatches(*source);
+  this->WritePatches(*source, *input);
 }
 
-void vtkMultiTriangulationWriter::WritePatches(const vtkMTPatchSource& source)
+void vtkMultiTriangulationWriter::WritePatches(const vtkMTPatchSource& source, const vtkMultiTriangulation& model)
 {
   const vtkMTGraph& graph = source.GetGraph();
   vtkMTFileSink sink(this->FileName);
@@ -86,7 +87,18 @@ void vtkMultiTriangulationWriter::WritePatches(const vtkMTPatchSource& source)
   }
   std::vector<std::uint32_t> patchOfArc(graph.Arcs.size());
   std::iota(patchOfArc.begin(), patchOfArc.end(), 0u);
-  if (!sink.Finish(graph, patchOfArc))
+  std::array<double, 16> frame;
+  model.GetFrame(frame.data());
+  constexpr std::array<double, 16> identity{ 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+  // Another place than the source's own: only then is the DAG copied.
+  vtkMTGraph placed;
+  const bool isMoved = frame != graph.Frame.value_or(identity);
+  if (isMoved)
+  {
+    placed = graph;
+    placed.Frame = frame;
+  }
+  if (!sink.Finish(isMoved ? placed : graph, patchOfArc))
   {
     this->SetErrorCode(vtkErrorCode::OutOfDiskSpaceError);
     vtkErrorMacro(<< sink.GetError());

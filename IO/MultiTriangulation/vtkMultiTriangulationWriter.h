@@ -4,7 +4,8 @@
  * @brief writes a Multi-Triangulation file (.bmt)
  *
  * Copies the patches of a vtkMultiTriangulation, wherever they are, into a file, which is published whole or not at all
- * (vtkMTFileSink). Plain vtkPolyData has no patches and is refused: vtkMultiTriangulationBuilder makes some.
+ * (vtkMTFileSink), with the frame that the object has. Plain vtkPolyData has no patches and is refused:
+ * vtkMultiTriangulationBuilder makes some.
  *
  * Errors: vtkErrorMacro, and an error code (vtkErrorCode::NoFileNameError, FileFormatError, CannotOpenFileError,
  * OutOfDiskSpaceError when the file could not be written).
@@ -16,6 +17,7 @@
 #include "vtkWriter.h"
 
 class vtkMTPatchSource;
+class vtkMultiTriangulation;
 
 class VTKMTIO_EXPORT vtkMultiTriangulationWriter : public vtkWriter
 {
@@ -42,7 +44,7 @@ protected:
 private:
   vtkMultiTriangulationWriter(const vtkMultiTriangulationWriter&) = delete;
   void operator=(const vtkMultiTriangulationWriter&) = delete;
-  void WritePatches(const vtkMTPatchSource& source);
+  void WritePatches(const vtkMTPatchSource& source, const vtkMultiTriangulation& model);
 };
 
 #endif

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-void vtkMTArcViews::Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTTargetCut::Settings& settings)
+void vtkMTArcViews::Begin(
+  const vtkMTGraph& graph, const std::vector<vtkMTView>& views, const vtkMTTargetCut::Settings& settings)
 {
   ++this->Frame;
   // The number has come round, or arcs have other places: nothing that is known may be taken for this frame's.
@@ -16,11 +17,14 @@ void vtkMTArcViews::Begin(const vtkMTGraph& graph, const vtkMTView* view, const 
     this->Frame = 1;
   }
   this->Graph = &graph;
-  this->Eye = view;
-  this->Projector = view ? vtkMTArcProjector(graph.Lattice, *view) : vtkMTArcProjector();
   this->Options = settings;
-  this->Threshold = view ? settings.PixelError : settings.ModelError;
-  this->Side = view && settings.FacingCulling ? vtkMTArcViews::FindFacing(*view) : std::nullopt;
+  this->Threshold = views.empty() ? settings.ModelError : settings.PixelError;
+  this->Eyes.clear();
+  for (const vtkMTView& view : views)
+  {
+    this->Eyes.push_back({ vtkMTArcProjector(graph.Lattice, view),
+      settings.FacingCulling ? vtkMTArcViews::FindFacing(view) : std::nullopt });
+  }
 }
 
 void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
@@ -30,24 +34,31 @@ void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
   const vtkMTArc& arc = this->Graph->Arcs[index];
   const vtkMTNode& node = this->Graph->Nodes[arc.To];
   const double error = this->Options.ErrorMetric == vtkMTTargetCut::EdgeLength ? node.EdgeLength : node.Error;
-  if (!this->Eye)
+  if (this->Eyes.empty())
   {
     view.Wanted = error;
     return;
   }
   const vtkMTArcProjector::Box box(arc.Box);
-  const double inside = this->Projector.GetInside(box);
-  const bool visible = inside >= 0.0;
-  view.Outside = !visible && this->Options.FrustumCulling;
-  view.FacesAway = !view.Outside && this->Side && this->FacesAway(arc);
-  // What the patch stands for may reach into the frustum where the patch itself does not.
-  if (inside + node.Error >= 0.0)
+  bool visible = false;
+  for (const Eye& eye : this->Eyes)
   {
-    const vtkMTArcProjector::Depth depth = this->Projector.GetDepth(box);
-    view.Certified = this->Projector.GetPixelError(depth, node.Error);
-    view.Wanted = this->Options.ErrorMetric == vtkMTTargetCut::Distance ? view.Certified
-                                                                        : this->Projector.GetPixelError(depth, error);
+    const double inside = eye.Projector.GetInside(box);
+    visible = visible || inside >= 0.0;
+    // What the patch stands for may reach into the frustum where the patch itself does not.
+    if (inside + node.Error >= 0.0)
+    {
+      const vtkMTArcProjector::Depth depth = eye.Projector.GetDepth(box);
+      const double certified = eye.Projector.GetPixelError(depth, node.Error);
+      view.Certified = std::max(view.Certified, certified);
+      view.Wanted = std::max(view.Wanted,
+        this->Options.ErrorMetric == vtkMTTargetCut::Distance ? certified : eye.Projector.GetPixelError(depth, error));
+    }
   }
+  view.Outside = !visible && this->Options.FrustumCulling;
+  view.FacesAway = !view.Outside &&
+    std::all_of(this->Eyes.begin(), this->Eyes.end(),
+      [&](const Eye& eye) { return eye.Side && this->FacesAway(arc, *eye.Side); });
 }
 
 double vtkMTArcViews::GetWanted(std::uint32_t node)
@@ -69,7 +80,8 @@ bool vtkMTArcViews::Fits(std::uint64_t triangles, std::uint64_t bytes) const
 bool vtkMTArcViews::IsNearby(std::uint32_t arc) const
 {
   const vtkMTArcProjector::Box box(this->Graph->Arcs[arc].Box);
-  return this->Eye && this->Projector.IsVisible(box, 2.0 * this->Projector.GetRadius(box));
+  return std::any_of(this->Eyes.begin(), this->Eyes.end(),
+    [&box](const Eye& eye) { return eye.Projector.IsVisible(box, 2.0 * eye.Projector.GetRadius(box)); });
 }
 
 // The determinant of an affine map says whether it keeps the sense in which a triangle's corners turn; the inverse of
@@ -133,7 +145,7 @@ std::optional<vtkMTArcViews::Facing> vtkMTArcViews::FindFacing(const vtkMTView& 
 // cone's rim; as a function of x that is concave, so its least value over a box is at a corner. The angle between the
 // axis and the line of sight must be less than a right angle by the cone's and by a little more, because the pictures
 // are made in single precision.
-bool vtkMTArcViews::FacesAway(const vtkMTArc& arc) const
+bool vtkMTArcViews::FacesAway(const vtkMTArc& arc, const Facing& side) const
 {
   constexpr double margin = 2e-3;
   const double length = std::sqrt(double(arc.ConeAxis[0]) * arc.ConeAxis[0] +
@@ -146,16 +158,16 @@ bool vtkMTArcViews::FacesAway(const vtkMTArc& arc) const
   this->Graph->Lattice.ToWorld(arc.Box, box);
   const double cosine = std::min(1.0, double(arc.ConeCosine));
   const double least = std::sqrt(1.0 - cosine * cosine) + margin;
-  const double sign = this->Side->Sign / length;
-  const std::array<double, 3>& viewer = this->Side->Viewer;
-  for (int corner = 0; corner < (this->Side->Parallel ? 1 : 8); ++corner)
+  const double sign = side.Sign / length;
+  const std::array<double, 3>& viewer = side.Viewer;
+  for (int corner = 0; corner < (side.Parallel ? 1 : 8); ++corner)
   {
     double along = 0.0;
     double square = 0.0;
     for (int i = 0; i < 3; ++i)
     {
       const double x = box[2 * i + ((corner >> i) & 1)];
-      const double sight = this->Side->Parallel ? viewer[i] : x - viewer[i];
+      const double sight = side.Parallel ? viewer[i] : x - viewer[i];
       along += sign * arc.ConeAxis[i] * sight;
       square += sight * sight;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a view says about arcs: looked up once a frame for each arc that somebody asks for. Not installed.
+// What the views of a cut say about arcs, taken together: looked up once a frame for each arc that somebody asks for.
+// Not installed.
 #ifndef vtkMTArcViews_h
 #define vtkMTArcViews_h
 
@@ -13,8 +14,6 @@
 #include <optional>
 #include <vector>
 
-struct vtkMTView;
-
 class vtkMTArcViews
 {
 public:
@@ -22,8 +21,8 @@ public:
 
   struct ArcView
   {
-    bool Outside = false;      // of the frustum, and left out for that
-    bool FacesAway = false;    // and left out for that
+    bool Outside = false;      // of all frusta, and left out for that
+    bool FacesAway = false;    // in all views, and left out for that
     std::uint32_t Frame = 0;   // in which somebody looked last
     double Wanted = NotWanted; // the error that refining the arc's node would remedy
     double Certified = 0.0;    // pixels
@@ -31,8 +30,8 @@ public:
     bool IsDrawn() const { return !this->Outside && !this->FacesAway; }
   };
 
-  // Begins a frame: forgets what was looked up. Graph and view must live until the next call.
-  void Begin(const vtkMTGraph& graph, const vtkMTView* view, const vtkMTTargetCut::Settings& settings);
+  // Begins a frame: forgets what was looked up. The graph must live until the next call.
+  void Begin(const vtkMTGraph& graph, const std::vector<vtkMTView>& views, const vtkMTTargetCut::Settings& settings);
 
   const ArcView& Look(std::uint32_t arc)
   {
@@ -53,7 +52,7 @@ public:
   }
   // Whether what is drawn is within the budgets.
   bool Fits(std::uint64_t triangles, std::uint64_t bytes) const;
-  // Whether the patch is outside the frustum, but not by more than its own size.
+  // Whether the patch is outside of a frustum by no more than its own size.
   bool IsNearby(std::uint32_t arc) const;
 
   // The arcs of the result's cut that are drawn, and their figures; its refined nodes must be there.
@@ -62,26 +61,30 @@ public:
   double GetThreshold() const { return this->Threshold; }
 
 private:
-  void Make(std::uint32_t arc, ArcView& view) const;
-
-  const vtkMTGraph* Graph = nullptr;
-  const vtkMTView* Eye = nullptr;
-  vtkMTArcProjector Projector;
-  vtkMTTargetCut::Settings Options;
-  double Threshold = 0.0;
   struct Facing
   {
     std::array<double, 3> Viewer; // perspective: the eye; parallel: the direction it looks in; model coordinates
     bool Parallel;
     double Sign; // -1 where the model is drawn mirrored
   };
-  std::optional<Facing> Side; // none: nothing is left out for facing away
+  struct Eye
+  {
+    vtkMTArcProjector Projector;
+    std::optional<Facing> Side; // none: nothing is left out for facing away
+  };
+
+  void Make(std::uint32_t arc, ArcView& view) const;
+
+  const vtkMTGraph* Graph = nullptr;
+  std::vector<Eye> Eyes;
+  vtkMTTargetCut::Settings Options;
+  double Threshold = 0.0;
 
   std::vector<ArcView> Views; // per arc; those of earlier frames are told by their number
   std::uint32_t Frame = 0;
 
   static std::optional<Facing> FindFacing(const vtkMTView& view);
-  bool FacesAway(const vtkMTArc& arc) const;
+  bool FacesAway(const vtkMTArc& arc, const Facing& side) const;
 };
 
 #endif

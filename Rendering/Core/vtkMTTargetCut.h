@@ -13,8 +13,9 @@
  * The error of an arc's patch is the pixel error of the node that it enters, taken over the patch's own box, which is
  * tighter than the node's sphere; that of a node is the largest of the arcs that enter it. An arc whose box, grown by
  * its error, lies outside the frustum asks for nothing: the input surface that it stands for cannot be seen. An arc
- * whose box lies outside is not drawn and does not count against the budget. Without a view the error is the node's
- * own, in model units, and every arc counts.
+ * whose box lies outside is not drawn and does not count against the budget. Several views are served by one cut: the
+ * largest error over the views counts, outside is what is outside of all of them, and a patch faces away where it does
+ * in all of them. Without a view the error is the node's own, in model units, and every arc counts.
  *
  * Where everything that is wanted fits the budgets and can be drawn, the order does not matter, and the heap is not
  * needed: wanted nodes are taken, with what they depend on, as they are met.
@@ -33,6 +34,7 @@
 
 #include "vtkMTCut.h"
 #include "vtkMTRenderingCoreModule.h" // For export macro
+#include "vtkMTView.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +45,6 @@
 
 class vtkMTArcViews;
 class vtkMTGraph;
-struct vtkMTView;
 
 class VTKMTRENDERINGCORE_EXPORT vtkMTTargetCut
 {
@@ -84,7 +85,10 @@ public:
   struct Input
   {
     const vtkMTGraph* Graph = nullptr;
-    const vtkMTView* View = nullptr; ///< none: errors in model units, nothing is culled
+    /// One to a few views that the cut serves at once, the two eyes of a stereo picture for example: an arc's error is
+    /// the largest over the views, and it is left out where none of them shows it. None: errors in model units, nothing
+    /// is culled.
+    std::vector<vtkMTView> Views;
     /// One entry per arc, 0 where the patch cannot be drawn now; none: all can. The coarsest patches are always drawn.
     const std::vector<unsigned char>* Resident = nullptr;
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPatchArena
- * @brief the patches on the GPU: a slot for each, and streams of vertex and triangle data that share the slots
+ * @brief the patches on the GPU: a slot for each, and buffers of vertex and triangle data that share the slots
  *
  * A slot is a range of vertices and a range of triangles, from vtkMTRangeAllocator. Every stream (positions, normals,
  * colours, indices, cell colours ...) is one buffer in which a slot's vertices or triangles have the same place, so all
@@ -11,7 +11,7 @@
  *
  * How large it is. BeginFrame says how much the frame draws. Where the arena is too small for that it is laid out anew,
  * with a quarter to spare: new buffers, into which the GPU copies what the old ones hold, so nothing is uploaded again
- * and the CPU waits for nothing. While a frame is put together, room is made by dropping patches that the frame does
+ * and the CPU waits for nothing. While a frame is assembled, room is made by dropping patches that the frame does
  * not use, the least recently used first, and at last by closing the gaps between slots, within the buffers.
  *
  * The limit is hard: all buffers together, the copies of a new layout included, never take more bytes. A layout that
@@ -92,6 +92,8 @@ public:
   /// The arc's slot, made if need be; used in this frame. Null where there is no room for it beside the others that the
   /// frame uses.
   Slot* Use(std::uint32_t arc, std::uint32_t vertices, std::uint32_t triangles);
+  /// Makes the arc's patch, if it is there, the last one to go before those that the frame uses.
+  void Touch(std::uint32_t arc);
   bool IsStale(const Slot& slot, int stream) const;
   /// False, and nothing done, unless there is exactly as much data as the slot has vertices or triangles.
   bool Upload(Slot& slot, int stream, const std::vector<unsigned char>& data);
@@ -115,9 +117,11 @@ public:
 
   std::uint64_t GetVertexCapacity() const { return this->VertexSpace.GetCapacity(); }
   std::uint64_t GetTriangleCapacity() const { return this->TriangleSpace.GetCapacity(); }
-  /// Of all buffers, now and at most so far.
+  /// Of all buffers, now and at most so far, the latter with what SetBytesElsewhere said.
   std::uint64_t GetBytes() const { return this->Bytes; }
   std::uint64_t GetMostBytes() const { return this->MostBytes; }
+  /// Bytes of other arenas that share a limit with this one.
+  void SetBytesElsewhere(std::uint64_t bytes) { this->BytesElsewhere = bytes; }
   /// Of the data of so many vertices and triangles, in all streams that are declared.
   std::uint64_t GetBytesOf(std::uint64_t vertices, std::uint64_t triangles) const;
   std::size_t GetNumberOfPatches() const { return this->Slots.size(); }
@@ -164,6 +168,7 @@ private:
   std::uint64_t Limit = ~std::uint64_t(0);
   std::uint64_t Bytes = 0;
   std::uint64_t MostBytes = 0;
+  std::uint64_t BytesElsewhere = 0;
   std::uint64_t UploadedBytes = 0;
   std::uint64_t Changes = 0;
   unsigned int VertexArray = 0;

@@ -2,37 +2,80 @@
 #include "vtkMTRendererView.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
-vtkMTView vtkMTRendererView::Make(vtkRenderer* renderer, const double modelToWorld[16])
+namespace
+{
+// By how much an eye sees x moved, for each unit along z; 0 where there is one eye. An off-axis projection has a
+// frustum of its own for each eye, so there each eye has its own view; an explicit one is that of both.
+double GetShear(vtkCamera* camera)
+{
+  const bool sheared =
+    camera->GetStereo() && !camera->GetUseOffAxisProjection() && !camera->GetUseExplicitProjectionTransformMatrix();
+  return sheared ? std::tan(vtkMath::RadiansFromDegrees(camera->GetEyeAngle() / 2.0)) : 0.0;
+}
+
+// Eye space, sheared so that what lies at the distance stays where it is.
+void Shear(vtkMTView& view, double shear, double distance)
+{
+  for (int j = 0; j < 4; ++j)
+  {
+    view.ModelToEye[j] += shear * view.ModelToEye[8 + j];
+  }
+  view.ModelToEye[3] += shear * distance;
+  view.UpdateStretch();
+}
+}
+
+std::vector<vtkMTView> vtkMTRendererView::Make(vtkRenderer* renderer, const std::array<double, 16>& modelToWorld)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   std::array<double, 16> modelToEye;
-  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(), modelToWorld, modelToEye.data());
-  const double* projection = camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)->GetData();
-  const int* size = renderer->GetSize();
-  vtkMTView view =
-    vtkMTView::FromProjection(modelToEye, projection, { size[0], size[1] }, camera->GetClippingRange());
-  if (vtkMTRendererView::IsStereo(renderer))
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix()->GetData(), modelToWorld.data(), modelToEye.data());
+  std::array<double, 16> projection;
+  std::copy_n(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1)->GetData(), 16, projection.begin());
+  const double shear = GetShear(camera);
+  if (shear != 0.0)
   {
-    const double spread = std::tan(camera->GetEyeAngle() * 3.14159265358979323846 / 360.0);
-    view.HalfSize[0] += view.ParallelProjection ? 0.0 : 2.0 * spread;
+    // The projection has the shear of the eye that is being drawn. Both eyes must come to the same numbers without it,
+    // so what rounding leaves of it goes.
+    const double present = projection[0] * (camera->GetLeftEye() ? shear : -shear);
+    projection[2] = std::nearbyint((projection[2] - present) * 1e9) / 1e9;
+    projection[3] = std::nearbyint((projection[3] - present * camera->GetDistance()) * 1e9) / 1e9;
   }
-  return view;
+  const int* size = renderer->GetSize();
+  vtkMTView view = vtkMTView::FromProjection(modelToEye, projection, { size[0], size[1] }, camera->GetClippingRange());
+  if (shear == 0.0)
+  {
+    return { view };
+  }
+  view.HalfSize[0] *= 1.0 + 1e-8; // more than that rounding
+  std::vector<vtkMTView> views{ view, view };
+  Shear(views[0], shear, camera->GetDistance());
+  Shear(views[1], -shear, camera->GetDistance());
+  return views;
 }
 
-bool vtkMTRendererView::IsStereo(vtkRenderer* renderer)
+std::array<double, 3> vtkMTRendererView::GetNearest(
+  vtkRenderer* renderer, const std::array<double, 16>& modelToWorld, const std::array<double, 6>& box)
 {
-  return renderer->GetRenderWindow()->GetStereoRender() != 0;
-}
-
-bool vtkMTRendererView::IsSame(const vtkMTView& a, const vtkMTView& b)
-{
-  return a.ModelToEye == b.ModelToEye && a.Stretch == b.Stretch && a.ParallelProjection == b.ParallelProjection &&
-    a.PixelsPerUnit == b.PixelsPerUnit && a.HalfSize == b.HalfSize && a.Near == b.Near && a.Far == b.Far;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+  camera->GetParallelProjection() ? camera->GetFocalPoint(place) : camera->GetPosition(place);
+  double inverse[16];
+  vtkMatrix4x4::Invert(modelToWorld.data(), inverse);
+  vtkMatrix4x4::MultiplyPoint(inverse, place, place);
+  std::array<double, 3> nearest;
+  for (int i = 0; i < 3; ++i)
+  {
+    const bool finite = std::isfinite(place[i]);
+    nearest[i] = std::clamp(finite ? place[i] : box[2 * i], box[2 * i], box[2 * i + 1]);
+  }
+  return nearest;
 }

@@ -63,7 +63,8 @@ int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const do
   const vtkMTPlacement inverse = placement.GetInverse();
   const bool found = hit.Find(
     *model->GetSource(), this->Mapper->GetDrawnArcs(), inverse.ToObject({ p1[0], p1[1], p1[2] }),
-    inverse.ToObject({ p2[0], p2[1], p2[2] }), [this](std::uint32_t arc) { return this->Mapper->GetPatchInMemory(arc); }, error);
+    inverse.ToObject({ p2[0], p2[1], p2[2] }),
+    [this](std::uint32_t arc) { return this->Mapper->GetPatchInMemory(arc); }, error);
   if (!error.empty())
   {
     vtkErrorMacro(<< model->GetSource()->GetName() << ": " << error);

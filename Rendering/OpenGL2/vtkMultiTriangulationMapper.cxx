@@ -6,6 +6,7 @@
 #include "vtkMTCutMesh.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTRendererView.h"
+#include "vtkMTSetMacros.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapperInternals.h"
@@ -32,6 +33,9 @@ vtkMultiTriangulation* GetModel(vtkDataObject* input)
 }
 
 vtkStandardNewMacro(vtkMultiTriangulationMapper);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, PixelError, 0.0, 1e9);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, CutTimeLimit, 0.0, 1e9);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, DrawingRate, 0.0, 1e15);
 
 //------------------------------------------------------------------------------
 vtkMultiTriangulationMapper::vtkMultiTriangulationMapper()
@@ -68,14 +72,14 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
   os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
   os << indent << "DrawingRate: " << this->DrawingRate << "\n";
-  os << indent << "Triangles: " << this->Triangles << "\n";
-  os << indent << "Patches: " << this->Patches << "\n";
-  os << indent << "CulledPatches: " << this->CulledPatches << "\n";
-  os << indent << "CulledTriangles: " << this->CulledTriangles << "\n";
-  os << indent << "FacingAwayPatches: " << this->FacingAwayPatches << "\n";
-  os << indent << "FacingAwayTriangles: " << this->FacingAwayTriangles << "\n";
+  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
+  os << indent << "NumberOfCulledPatches: " << this->NumberOfCulledPatches << "\n";
+  os << indent << "NumberOfCulledTriangles: " << this->NumberOfCulledTriangles << "\n";
+  os << indent << "NumberOfFacingAwayPatches: " << this->NumberOfFacingAwayPatches << "\n";
+  os << indent << "NumberOfFacingAwayTriangles: " << this->NumberOfFacingAwayTriangles << "\n";
   os << indent << "Loading: " << this->Loading << "\n";
-  os << indent << "RefinedNodes: " << this->RefinedNodes << "\n";
+  os << indent << "NumberOfRefinedNodes: " << this->NumberOfRefinedNodes << "\n";
   os << indent << "AchievedPixelError: " << this->AchievedPixelError << "\n";
   os << indent << "Converged: " << this->Converged << "\n";
   os << indent << "CutTime: " << this->CutTime << "\n";
@@ -116,16 +120,26 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+// VTK gives a mapper the resources of one window at a time, and takes them when another window draws it. Then, and when
+// the superclass releases what it has in whatever window drew last, the patches stay.
+void vtkMultiTriangulationMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Implementation->KeepsPatches = true;
+  this->Superclass::RenderPiece(renderer, actor);
+  this->Implementation->KeepsPatches = false;
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  // The superclass calls this method again with the window's context current, if it is not.
-  auto* renderWindow = vtkRenderWindow::SafeDownCast(window);
-  if (renderWindow && renderWindow->IsCurrent())
+  const bool keepsPatches = this->Implementation->KeepsPatches;
+  if (!keepsPatches)
   {
-    this->Implementation->Arena.ReleaseGraphicsResources();
-    this->Implementation->Timer.ReleaseGraphicsResources();
+    this->Implementation->Painters.Release(window);
   }
+  this->Implementation->KeepsPatches = true;
   this->Superclass::ReleaseGraphicsResources(window);
+  this->Implementation->KeepsPatches = keepsPatches;
 }
 
 //------------------------------------------------------------------------------
@@ -139,26 +153,13 @@ void vtkMultiTriangulationMapper::ComputeBounds()
 {
   if (this->HasPatches())
   {
+    vtkMultiTriangulation* model = GetModel(this->GetInput());
     vtkMTPlacement placement;
-    GetModel(this->GetInput())->GetFrame(placement.Matrix.data());
-    placement.ToObject(this->GetModelBounds().data(), this->Bounds);
+    model->GetFrame(placement.Matrix.data());
+    placement.ToObject(this->Implementation->GetBounds(model->GetSource()).data(), this->Bounds);
     return;
   }
   this->Superclass::ComputeBounds();
-}
-
-//------------------------------------------------------------------------------
-// On the lattice, wherever the input's frame puts it. Asked several times a frame, and to be found from all arcs.
-const std::array<double, 6>& vtkMultiTriangulationMapper::GetModelBounds()
-{
-  Internals& self = *this->Implementation;
-  const std::shared_ptr<const vtkMTPatchSource> source = GetModel(this->GetInput())->GetSource();
-  if (self.BoundsSource.lock() != source)
-  {
-    self.BoundsSource = source;
-    source->GetGraph().GetBounds(self.Bounds.data());
-  }
-  return self.Bounds;
 }
 
 //------------------------------------------------------------------------------
@@ -170,47 +171,83 @@ bool vtkMultiTriangulationMapper::HasTranslucentPolygonalGeometry()
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulationMapper::GetGraphicsMemory()
 {
-  return static_cast<vtkIdType>(this->Implementation->Arena.GetBytes());
+  return static_cast<vtkIdType>(this->Implementation->Painters.GetBytes());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulationMapper::GetMostGraphicsMemory()
 {
-  return static_cast<vtkIdType>(this->Implementation->Arena.GetMostBytes());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMultiTriangulationMapper::GetPatchMemory()
-{
-  return this->Implementation->Cache ? static_cast<vtkIdType>(this->Implementation->Cache->GetBytes()) : 0;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMultiTriangulationMapper::GetNumberOfReads()
-{
-  return this->Implementation->Cache ? static_cast<vtkIdType>(this->Implementation->Cache->GetNumberOfReads()) : 0;
+  return static_cast<vtkIdType>(this->Implementation->Painters.GetMostBytes());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkMultiTriangulationMapper::GetNumberOfUploadedBytes()
 {
-  return static_cast<vtkIdType>(this->Implementation->Arena.GetNumberOfUploadedBytes());
+  return static_cast<vtkIdType>(this->Implementation->Painters.GetNumberOfUploadedBytes());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetPatchMemory()
+{
+  const vtkMTPatchCache* cache = this->Implementation->Frame.GetCache();
+  return cache ? static_cast<vtkIdType>(cache->GetBytes()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetMostPatchMemory()
+{
+  const vtkMTPatchCache* cache = this->Implementation->Frame.GetCache();
+  return cache ? static_cast<vtkIdType>(cache->GetMostUsedBytes()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetNumberOfReads()
+{
+  const vtkMTPatchCache* cache = this->Implementation->Frame.GetCache();
+  return cache ? static_cast<vtkIdType>(cache->GetNumberOfReads()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationMapper::GetNumberOfCuts()
+{
+  return static_cast<vtkIdType>(this->Implementation->Frame.GetNumberOfCuts());
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiTriangulationMapper::GetLongestLock()
+{
+  const vtkMTPatchCache* cache = this->Implementation->Frame.GetCache();
+  return cache ? cache->GetLoader().GetLongestLock() : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiTriangulationMapper::GetCurrentDrawingRate()
+{
+  this->Implementation->Rate.SetGiven(this->DrawingRate);
+  return this->Implementation->Rate.GetRate();
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const vtkMTPatch> vtkMultiTriangulationMapper::GetPatchInMemory(std::uint32_t arc) const
+{
+  const vtkMTPatchCache* cache = this->Implementation->Frame.GetCache();
+  return cache ? cache->Get(arc) : nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
 {
-  const vtkMTTargetCut::Result* last = this->Implementation->Keeper.GetLast();
-  if (!last)
+  const vtkMTFrame& frame = this->Implementation->Frame;
+  if (!frame.GetLast())
   {
     vtkErrorMacro("Nothing has been drawn yet, so there is no cut.");
     return false;
   }
   std::string error;
   vtkMTCutMesh mesh;
-  mesh.Arcs = last->Cut.GetArcs();
+  mesh.Arcs = frame.GetLast()->Cut.GetArcs();
   mesh.Placement = &this->Implementation->Placement;
-  if (!mesh.Make(*this->Implementation->Keeper.GetSource(), output, error))
+  if (!mesh.Make(*frame.GetSource(), output, error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -221,7 +258,7 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
 //------------------------------------------------------------------------------
 std::vector<std::uint32_t> vtkMultiTriangulationMapper::GetDrawnArcs() const
 {
-  const vtkMTTargetCut::Result* last = this->Implementation->Keeper.GetLast();
+  const vtkMTFrame::Result* last = this->Implementation->Frame.GetLast();
   return last ? last->Arcs : std::vector<std::uint32_t>();
 }
 
@@ -235,19 +272,13 @@ void vtkMultiTriangulationMapper::FollowInput()
   {
     model->GetFrame(self.Placement.Matrix.data());
   }
-  if (self.Keeper.SetSource(source))
+  vtkMTPatchLoader::Settings loader;
+  loader.Threads = this->NumberOfLoaderThreads;
+  if (self.Frame.SetSource(source, loader))
   {
     self.Cut = nullptr;
-    self.Arena.Clear();
-    self.Triangles = 0;
-    for (std::size_t i = 0; source && i < source->GetGraph().Arcs.size(); ++i)
-    {
-      self.Triangles += source->GetGraph().Arcs[i].Triangles;
-    }
+    self.Painters.Clear();
     self.ColorState.Clear();
-    vtkMTPatchLoader::Settings loader;
-    loader.Threads = this->NumberOfLoaderThreads;
-    self.Cache = source ? std::make_unique<vtkMTPatchCache>(source, vtkMTPatchCache::DefaultLimit, loader) : nullptr;
   }
   if (self.DrewPatches != (source != nullptr))
   {
@@ -330,19 +361,12 @@ void vtkMultiTriangulationMapper::UpdateBufferObjects(vtkRenderer* renderer, vtk
     this->Superclass::UpdateBufferObjects(renderer, actor);
     return;
   }
+  this->Implementation->Painter = &this->Implementation->Painters.Use(renderer->GetRenderWindow());
   if (this->GetNeedToRebuildBufferObjects(renderer, actor))
   {
     this->BuildBufferObjects(renderer, actor);
   }
-  this->MeasureRate(actor);
-  this->Implementation->Streams.Apply(this->Implementation->Plan, this->Implementation->Arena);
-  this->Implementation->LessTriangles = 0;
-  this->UpdateCache(renderer, actor);
-  do
-  {
-    this->UpdateCut(renderer, actor);
-  } while (!this->UpdatePatches());
-  this->Implementation->Keeper.Post(*this->Implementation->Cache);
+  this->UpdateFrame(renderer, actor);
   this->UpdateCellTextures(renderer);
 }
 
@@ -365,110 +389,4 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
   this->UpdateColorRevision();
   this->BuildTemplate(renderer);
   this->VBOBuildTime.Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::UpdateCut(vtkRenderer* renderer, vtkActor* actor)
-{
-  Internals& self = *this->Implementation;
-  this->FillFrame(renderer, actor);
-  self.View = self.Frame.View;
-  const vtkMTTargetCut::Result* before = self.Keeper.GetLast();
-  self.Cut = &self.Keeper.Update(renderer, self.Frame, *self.Cache);
-  this->NumberOfCuts += self.Cut != before;
-  this->UpdateOrigin(renderer, actor);
-
-  this->Triangles = static_cast<vtkIdType>(self.Cut->Triangles);
-  this->Patches = static_cast<vtkIdType>(self.Cut->Arcs.size());
-  this->CulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
-  this->CulledTriangles = static_cast<vtkIdType>(self.Cut->TrianglesCulled);
-  this->FacingAwayPatches = static_cast<vtkIdType>(self.Cut->ArcsFacingAway);
-  this->FacingAwayTriangles = static_cast<vtkIdType>(self.Cut->TrianglesFacingAway);
-  this->RefinedNodes = static_cast<vtkIdType>(self.Cut->NodesRefined);
-  this->Loading = !self.Cut->OnTarget;
-  this->AchievedPixelError = self.Cut->PixelError;
-  this->Converged = self.Cut->Converged;
-  this->CutTime = self.Keeper.GetCutTime();
-}
-
-//------------------------------------------------------------------------------
-// The lattice point inside the model's box that is nearest to what the camera looks at most closely: numbers near it
-// are small.
-void vtkMultiTriangulationMapper::UpdateOrigin(vtkRenderer* renderer, vtkActor* actor)
-{
-  const vtkMTGraph& graph = this->Implementation->Graph();
-  vtkCamera* camera = renderer->GetActiveCamera();
-  double place[4] = { 0.0, 0.0, 0.0, 1.0 };
-  camera->GetParallelProjection() ? camera->GetFocalPoint(place) : camera->GetPosition(place);
-  double inverse[16];
-  vtkMatrix4x4::Invert(this->Implementation->GetModelToWorld(actor).data(), inverse);
-  vtkMatrix4x4::MultiplyPoint(inverse, place, place);
-  const std::array<double, 6>& bounds = this->GetModelBounds();
-  for (int i = 0; i < 3; ++i)
-  {
-    const bool finite = std::isfinite(place[i]);
-    place[i] = std::clamp(finite ? place[i] : bounds[2 * i], bounds[2 * i], bounds[2 * i + 1]);
-  }
-  this->Implementation->Origin = graph.Lattice.Snap(place);
-}
-
-//------------------------------------------------------------------------------
-bool vtkMultiTriangulationMapper::UpdatePatches()
-{
-  Internals& self = *this->Implementation;
-  const vtkMTGraph& graph = self.Graph();
-  if (this->IsAllThere())
-  {
-    return true;
-  }
-  this->BeginUpload();
-  bool complete = true;
-  for (std::size_t i = 0; i < self.Cut->Arcs.size(); ++i)
-  {
-    const std::uint32_t arc = self.Cut->Arcs[i];
-    const vtkMTArc& record = graph.Arcs[arc];
-    vtkMTPatchArena::Slot* slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
-    if (!slot && self.Cut->NodesRefined > 0)
-    {
-      this->DrawLess();
-      return false;
-    }
-    if (!slot || !self.Streams.IsStale(self.Arena, *slot))
-    {
-      continue;
-    }
-    const std::shared_ptr<const vtkMTPatch> patch = this->FetchPatch(i);
-    if (!patch && !self.Cache->IsFailed(arc) && !self.Wait && record.From != graph.GetSource())
-    {
-      // It was there when the cut was found: the arena has dropped it since, or more of it is wanted now.
-      self.Arena.Drop(arc);
-      self.Keeper.Invalidate();
-      return false;
-    }
-    if (!patch || !this->UploadPatch(arc, *patch))
-    {
-      self.Arena.Drop(arc);
-      complete = !this->GiveUp(arc) && complete;
-    }
-  }
-  this->UploadEarlyPatches();
-  if (complete && self.Cut->NodesRefined > 0 && !this->IsUploaded())
-  {
-    this->DrawLess();
-    return false;
-  }
-  this->RememberUpload();
-  return complete;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMultiTriangulationMapper::UploadPatch(std::uint32_t arc, const vtkMTPatch& patch)
-{
-  Internals& self = *this->Implementation;
-  const vtkMTArc& record = self.Graph().Arcs[arc];
-  vtkMTPatchArena::Slot* slot = self.Arena.Use(arc, record.Wedges, record.Triangles);
-  return slot &&
-    self.Streams.Upload(self.Arena, *slot, self.Graph(), patch,
-      [this](int array, const vtkMTPatch& each, std::vector<unsigned char>& bytes)
-      { this->MapPatchScalars(array, each, bytes); });
 }

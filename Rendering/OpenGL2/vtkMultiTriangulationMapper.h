@@ -7,7 +7,9 @@
  * error (see vtkMTTargetCut and vtkMTCutFollower; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), has
  * loader threads read the patches that it lacks (vtkMTPatchCache), and draws them with the shaders of
  * vtkOpenGLPolyDataMapper: property, lights, scalar colouring, textures, clipping planes, edges, translucency and
- * picking are VTK's own. All passes of a frame that look through the same camera share one cut.
+ * picking are VTK's own. All passes of a frame that look through the same camera share one cut, and so do both eyes of
+ * a stereo picture. Several renderers and windows may share a mapper: each has its own cut, patches in main memory are
+ * shared by all, those on the GPU by all renderers of a window.
  *
  * Input is a vtkMultiTriangulation with a patch source. Any other vtkPolyData is drawn as vtkPolyDataMapper draws it.
  *
@@ -52,10 +54,11 @@ public:
 
   ///@{
   /**
-   * How far, in pixels, the picture of the surface may be from that of the input. Default 1; clamped to [0, 1e9]. At 0
-   * everything that can be seen and deviates from the input at all is drawn as finely as it is stored.
+   * How far, in pixels, the picture of the surface may be from that of the input. Default 1; clamped to [0, 1e9]; NaN
+   * is refused with an error event. At 0 everything that can be seen and deviates from the input at all is drawn as
+   * finely as it is stored.
    */
-  vtkSetClampMacro(PixelError, double, 0.0, 1e9);
+  void SetPixelError(double pixels);
   vtkGetMacro(PixelError, double);
   ///@}
 
@@ -101,9 +104,9 @@ public:
   ///@{
   /**
    * Seconds after which a frame that does not wait stops looking for a better cut and draws the one that it has. 0 is
-   * no limit; default 0.01; negative values are clamped to 0.
+   * no limit; default 0.01; clamped to [0, 1e9]; NaN is refused with an error event.
    */
-  vtkSetClampMacro(CutTimeLimit, double, 0.0, 1e9);
+  void SetCutTimeLimit(double seconds);
   vtkGetMacro(CutTimeLimit, double);
   ///@}
 
@@ -144,7 +147,7 @@ public:
   ///@{
   /**
    * Whether patches outside the frustum are left out. Default on. Off costs time and changes no pixel: what lies
-   * outside stays as coarse as it was. In stereo everything is drawn.
+   * outside stays as coarse as it was. In stereo what is outside of both eyes' frusta is left out.
    */
   vtkSetMacro(FrustumCulling, bool);
   vtkGetMacro(FrustumCulling, bool);
@@ -154,7 +157,8 @@ public:
   ///@{
   /**
    * Whether patches that are seen from behind in all their triangles are left out, where the property's BackfaceCulling
-   * is on and surfaces are drawn. Default on. Off costs time and changes no pixel. In stereo everything is drawn.
+   * is on and surfaces are drawn. Default on. Off costs time and changes no pixel. In stereo what both eyes see from
+   * behind is left out.
    */
   vtkSetMacro(FacingCulling, bool);
   vtkGetMacro(FacingCulling, bool);
@@ -204,7 +208,8 @@ public:
   /**
    * Bytes that buffers on the GPU take at most, copies while they grow included. Default 512 MiB; negative values are
    * clamped to 0. The cut becomes coarser where its patches need more than three quarters of it. The coarsest cut is
-   * drawn in any case, so what that needs is the least limit there is.
+   * drawn in any case, so what that needs is the least limit there is. Windows that share a mapper share the limit in
+   * equal parts, and so do, of a window's part, the renderers that draw it in turn.
    */
   vtkSetClampMacro(GraphicsMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(GraphicsMemoryLimit, vtkIdType);
@@ -218,7 +223,7 @@ public:
    * for 0.0001 frames per second, and without one that is what a window asks for anyway, so then there is all the time
    * that PixelError needs; a picture depends on the clock only where a frame rate is asked for and nothing is set here.
    */
-  vtkSetClampMacro(DrawingRate, double, 0.0, 1e15);
+  void SetDrawingRate(double trianglesPerSecond);
   vtkGetMacro(DrawingRate, double);
   /// What budgets are made of now, measured or set; 0 while nothing has been measured.
   double GetCurrentDrawingRate();
@@ -230,17 +235,17 @@ public:
    * input would put it, whatever ErrorMetric says; it is infinite where the camera is closer to the surface than the
    * error. Converged: nothing that can be seen is above PixelError. Loading: the picture is not yet what the settings
    * ask for, so another frame may be a better one; it stays so where PatchMemoryLimit has no room for what is missing.
-   * CulledPatches and CulledTriangles were left out for being outside the frustum, FacingAwayPatches and
-   * FacingAwayTriangles for being seen from behind. Times are seconds: CutTime of the last new cut; FrameTime of the
+   * NumberOfTriangles and NumberOfPatches were drawn. The culled ones were left out for being outside the frustum,
+   * those facing away for being seen from behind. Times are seconds: CutTime of the last new cut; FrameTime of the
    * mapper's part of the frame, reading and upload included, until the last command was given to OpenGL.
    */
-  vtkGetMacro(Triangles, vtkIdType);
-  vtkGetMacro(Patches, vtkIdType);
-  vtkGetMacro(CulledPatches, vtkIdType);
-  vtkGetMacro(CulledTriangles, vtkIdType);
-  vtkGetMacro(FacingAwayPatches, vtkIdType);
-  vtkGetMacro(FacingAwayTriangles, vtkIdType);
-  vtkGetMacro(RefinedNodes, vtkIdType);
+  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  vtkGetMacro(NumberOfPatches, vtkIdType);
+  vtkGetMacro(NumberOfCulledPatches, vtkIdType);
+  vtkGetMacro(NumberOfCulledTriangles, vtkIdType);
+  vtkGetMacro(NumberOfFacingAwayPatches, vtkIdType);
+  vtkGetMacro(NumberOfFacingAwayTriangles, vtkIdType);
+  vtkGetMacro(NumberOfRefinedNodes, vtkIdType);
   vtkGetMacro(AchievedPixelError, double);
   vtkGetMacro(Converged, bool);
   vtkGetMacro(Loading, bool);
@@ -251,13 +256,14 @@ public:
   ///@}
 
   ///@{
-  /// Bytes of the GPU's buffers, now and at most since the window was opened, and of patches in main memory.
+  /// Bytes of the GPU's buffers in all windows, now and at most so far, and of patches in main memory.
   vtkIdType GetGraphicsMemory();
   vtkIdType GetMostGraphicsMemory();
   vtkIdType GetPatchMemory();
-  /// Cuts that were looked for, in this mapper's life: one for each view of a frame, however many passes draw it.
-  vtkGetMacro(NumberOfCuts, vtkIdType);
-  /// Patches read, and bytes sent to the GPU, since the input was set.
+  /// Cuts that were looked for, in this mapper's life: at most one for each renderer and frame, however many passes
+  /// draw it and however many eyes look.
+  vtkIdType GetNumberOfCuts();
+  /// Patches read since the input was set, and bytes sent to the GPU in this mapper's life.
   vtkIdType GetNumberOfReads();
   vtkIdType GetNumberOfUploadedBytes();
   /// The most that PatchMemoryLimit has had to count so far, and the longest time, in seconds, that the loader's lock
@@ -287,6 +293,7 @@ public:
 
   ///@{
   /// Called by VTK while it renders.
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
@@ -325,38 +332,14 @@ private:
   void UpdateColorRevision();
   void MapPatchScalars(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes);
   void ForgetColors();
-  void UpdateCache(vtkRenderer* renderer, vtkActor* actor);
-  bool IsNewFrame(vtkRenderer* renderer, vtkActor* actor);
+  void UpdateFrame(vtkRenderer* renderer, vtkActor* actor);
   bool WaitsFor(vtkRenderer* renderer);
-  bool LeavesOutWhatFacesAway(vtkRenderer* renderer, vtkActor* actor);
-  void FillFrame(vtkRenderer* renderer, vtkActor* actor);
-  std::shared_ptr<const vtkMTPatch> FetchPatch(std::size_t index);
-  bool GiveUp(std::uint32_t arc);
-  bool UploadPatch(std::uint32_t arc, const vtkMTPatch& patch);
-  void UploadEarlyPatches();
-  void BeginUpload();
-  bool IsUploaded();
-  bool IsAllThere();
-  void RememberUpload();
-  const std::array<double, 6>& GetModelBounds();
-  void DrawLess();
-  void ReportFailures();
-  void UpdateCut(vtkRenderer* renderer, vtkActor* actor);
-  bool UpdatePatches();
-  std::uint64_t GetTriangleLimitOfFrame(vtkActor* actor);
-  std::uint64_t GetTrianglesOfTime(double seconds);
-  std::uint64_t GetGraphicsLimit();
-  void MeasureRate(vtkActor* actor);
+  void TakeFigures();
   void UpdateCellTextures(vtkRenderer* renderer);
-  void UpdateOrigin(vtkRenderer* renderer, vtkActor* actor);
   void SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
-  void SetNormalMatrix(vtkOpenGLHelper& cellBO, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView);
   void DrawPrimitives(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode);
-  void DrawAtOnce(unsigned int mode);
-  void DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned int mode);
   void DrawVertices(vtkRenderer* renderer, vtkActor* actor);
   std::array<unsigned char, 4> GetPatchColor(std::uint32_t arc);
-  std::uint64_t GetPrimitivesPerTriangle(unsigned int mode);
 
   double PixelError = 1.0;
   vtkIdType TriangleLimit = 0;
@@ -374,17 +357,16 @@ private:
   vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
   double DrawingRate = 0.0;
 
-  vtkIdType Triangles = 0;
-  vtkIdType Patches = 0;
-  vtkIdType CulledPatches = 0;
-  vtkIdType CulledTriangles = 0;
-  vtkIdType FacingAwayPatches = 0;
-  vtkIdType FacingAwayTriangles = 0;
-  vtkIdType RefinedNodes = 0;
+  vtkIdType NumberOfTriangles = 0;
+  vtkIdType NumberOfPatches = 0;
+  vtkIdType NumberOfCulledPatches = 0;
+  vtkIdType NumberOfCulledTriangles = 0;
+  vtkIdType NumberOfFacingAwayPatches = 0;
+  vtkIdType NumberOfFacingAwayTriangles = 0;
+  vtkIdType NumberOfRefinedNodes = 0;
   double AchievedPixelError = 0.0;
   bool Converged = false;
   bool Loading = false;
-  vtkIdType NumberOfCuts = 0;
   double CutTime = 0.0;
   double FrameTime = 0.0;
   double OverheadTime = 0.0;

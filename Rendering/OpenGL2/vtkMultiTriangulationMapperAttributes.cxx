@@ -142,7 +142,6 @@ void vtkMultiTriangulationMapper::UpdateColorRevision()
   self.NewColorState.Clear();
   self.NewColorState.Append(self.Plan.Coloring, "coloring");
   self.NewColorState.Append(self.Plan.Scalars, "array");
-  self.NewColorState.Append(self.Plan.PrimitivesPerTriangle, "primitives");
   self.NewColorState.Append(this->ArrayComponent, "component");
   self.NewColorState.Append(this->ColorMode, "color mode");
   self.NewColorState.Append(this->LookupTable, "table");
@@ -236,10 +235,10 @@ void vtkMultiTriangulationMapper::UpdateCellTextures(vtkRenderer* renderer)
 {
   Internals& self = *this->Implementation;
   const auto values = static_cast<unsigned int>(
-    self.Arena.GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
+    self.Painter->GetArena().GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
   const auto update = [&](vtkTextureObject*& texture, const char* stream, int type)
   {
-    vtkOpenGLBufferObject* buffer = self.Arena.GetBuffer(stream);
+    vtkOpenGLBufferObject* buffer = self.Painter->GetArena().GetBuffer(stream);
     if (!buffer || buffer->GetHandle() == 0)
     {
       return false;

@@ -7,6 +7,7 @@
 #include "vtkMTSelectionIds.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
+#include "vtkOpenGLRenderTimer.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
@@ -21,12 +22,15 @@
 
 namespace
 {
-// The attribute that a patch's own colour takes the place of.
-constexpr const char* ColorAttribute = "scalarColor";
-
-const void* ToPointer(std::uint64_t offset)
+// The array whose values the selector's ids of points or cells are, or -1.
+int FindIds(const vtkMTGraph& graph, bool points, const char* pointIds, const char* cellIds)
 {
-  return reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset));
+  if (points)
+  {
+    return pointIds ? vtkMTPatchAttributes::FindArray(graph, pointIds, vtkMTArrayInfo::Point) : -1;
+  }
+  return cellIds ? vtkMTPatchAttributes::FindArray(graph, cellIds, vtkMTArrayInfo::Cell)
+                 : vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
 }
 }
 
@@ -48,7 +52,8 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
   this->DrawingSelection = false;
   Internals& self = *this->Implementation;
   const auto start = std::chrono::steady_clock::now();
-  self.Timer.ReusableStart();
+  vtkOpenGLRenderTimer& timer = self.Painters.GetTimer(renderer->GetRenderWindow());
+  timer.ReusableStart();
   GLenum mode = static_cast<GLenum>(this->GetOpenGLMode(property->GetRepresentation(), PrimitiveTris));
   if (this->PointPicking)
   {
@@ -66,11 +71,11 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
     this->DrawVertices(renderer, actor);
   }
   // Where the CPU draws, its clock says more; where a GPU does, its own.
-  self.Timer.ReusableStop();
+  timer.ReusableStop();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   self.CallSeconds = seconds.count();
-  this->TimeToDraw = std::max<double>(seconds.count(), self.Timer.GetReusableElapsedSeconds());
-  self.DrawSeconds += this->TimeToDraw;
+  this->TimeToDraw = std::max<double>(seconds.count(), timer.GetReusableElapsedSeconds());
+  self.Rate.AddSeconds(this->TimeToDraw);
 }
 
 //------------------------------------------------------------------------------
@@ -78,8 +83,7 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode)
 {
   Internals& self = *this->Implementation;
-  vtkOpenGLBufferObject* indices = self.Arena.GetBuffer(vtkMTPatchStreams::Indices);
-  if (self.Cut->Arcs.empty() || !indices || indices->GetHandle() == 0)
+  if (self.Cut->Arcs.empty() || !self.Painter->HasBuffers())
   {
     return;
   }
@@ -94,102 +98,24 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
       ->GetState()
       ->vtkglLineWidth(actor->GetProperty()->GetLineWidth());
   }
-  const bool oneColor = self.Plan.Coloring == vtkMTPatchStreams::OneColor;
-  self.Arena.Bind(cellBO.Program, this->ColorBy != NONE || oneColor ? ColorAttribute : "");
-  if (oneColor)
+  vtkMTTrianglePainter::Colors colors;
+  colors.All = self.Plan.Coloring == vtkMTPatchStreams::OneColor ? &self.FieldColor : nullptr;
+  if (this->ColorBy != NONE)
   {
-    const GLint color = glGetAttribLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), ColorAttribute);
-    if (color >= 0)
-    {
-      glVertexAttrib4Nubv(static_cast<GLuint>(color), self.FieldColor.data());
-    }
+    colors.OfPatch = [this](std::uint32_t arc) { return this->GetPatchColor(arc); };
   }
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(indices->GetHandle()));
-  if (this->ColorBy != NONE || cellBO.Program->IsUniformUsed("PrimitiveIDOffset"))
-  {
-    this->DrawOneByOne(cellBO, mode);
-  }
-  else
-  {
-    this->DrawAtOnce(mode);
-  }
-  vtkMTPatchArena::Unbind();
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::DrawAtOnce(unsigned int mode)
-{
-  const Internals& self = *this->Implementation;
-  const auto perTriangle = static_cast<std::uint64_t>(self.GetIndicesPerTriangle());
-  const auto bytesPerIndex = static_cast<std::uint64_t>(self.GetBytesPerIndex());
-  const GLenum type = self.Plan.ShortIndices ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
-  std::vector<GLsizei> counts;
-  std::vector<const void*> places;
-  std::vector<GLint> bases;
-  for (const std::uint32_t arc : self.Cut->Arcs)
-  {
-    if (const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc))
-    {
-      counts.push_back(static_cast<GLsizei>(slot->Triangles * perTriangle));
-      places.push_back(ToPointer(slot->FirstTriangle * perTriangle * bytesPerIndex));
-      bases.push_back(static_cast<GLint>(slot->FirstVertex));
-    }
-  }
-  glMultiDrawElementsBaseVertex(
-    mode, counts.data(), type, places.data(), static_cast<GLsizei>(counts.size()), bases.data());
-}
-
-//------------------------------------------------------------------------------
-// Where each patch has a colour of its own, or the shader needs to know where in the arena a triangle is.
-void vtkMultiTriangulationMapper::DrawOneByOne(vtkOpenGLHelper& cellBO, unsigned int mode)
-{
-  const Internals& self = *this->Implementation;
-  const auto perTriangle = static_cast<std::uint64_t>(self.GetIndicesPerTriangle());
-  const auto bytesPerIndex = static_cast<std::uint64_t>(self.GetBytesPerIndex());
-  const GLenum type = self.Plan.ShortIndices ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
-  const auto program = static_cast<GLuint>(cellBO.Program->GetHandle());
-  const GLint offset = glGetUniformLocation(program, "PrimitiveIDOffset");
-  const GLint color = this->ColorBy != NONE ? glGetAttribLocation(program, ColorAttribute) : -1;
-  const std::uint64_t primitives = this->GetPrimitivesPerTriangle(mode);
-  for (const std::uint32_t arc : self.Cut->Arcs)
-  {
-    const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc);
-    if (!slot)
-    {
-      continue;
-    }
-    glUniform1i(offset, static_cast<GLint>(slot->FirstTriangle * primitives));
-    if (color >= 0)
-    {
-      glVertexAttrib4Nubv(static_cast<GLuint>(color), this->GetPatchColor(arc).data());
-    }
-    glDrawElementsBaseVertex(mode, static_cast<GLsizei>(slot->Triangles * perTriangle), type,
-      ToPointer(slot->FirstTriangle * perTriangle * bytesPerIndex), static_cast<GLint>(slot->FirstVertex));
-  }
+  self.Painter->Draw(cellBO.Program, mode, self.Cut->Arcs, colors);
 }
 
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::DrawVertices(vtkRenderer* renderer, vtkActor* actor)
 {
-  const Internals& self = *this->Implementation;
-  std::vector<GLint> firsts;
-  std::vector<GLsizei> counts;
-  for (const std::uint32_t arc : self.Cut->Arcs)
-  {
-    if (const vtkMTPatchArena::Slot* slot = self.Arena.Find(arc))
-    {
-      firsts.push_back(static_cast<GLint>(slot->FirstVertex));
-      counts.push_back(static_cast<GLsizei>(slot->Vertices));
-    }
-  }
   vtkOpenGLHelper& cellBO = this->Primitives[PrimitiveVertices];
   this->DrawingVertices = true;
   this->UpdateShaders(cellBO, renderer, actor);
-  if (cellBO.Program && !firsts.empty())
+  if (cellBO.Program)
   {
-    this->Implementation->Arena.Bind(cellBO.Program, "");
-    glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
-    vtkMTPatchArena::Unbind();
+    this->Implementation->Painter->DrawVertices(cellBO.Program, this->Implementation->Cut->Arcs);
   }
   this->DrawingVertices = false;
 }
@@ -205,16 +131,14 @@ std::array<unsigned char, 4> vtkMultiTriangulationMapper::GetPatchColor(std::uin
     case PATCH:
       return vtkMTPalette::ForPatch(arc);
     default:
-      return vtkMTPalette::ForError(
-        vtkMTTargetCut::GetPixelError(self.Graph(), self.View, arc, vtkMTTargetCut::Distance), this->PixelError);
+      break;
   }
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t vtkMultiTriangulationMapper::GetPrimitivesPerTriangle(unsigned int mode)
-{
-  const auto indices = static_cast<std::uint64_t>(this->Implementation->GetIndicesPerTriangle());
-  return mode == GL_POINTS ? indices : mode == GL_LINES ? indices / 2 : indices / 3;
+  double error = 0.0;
+  for (const vtkMTView& view : self.Views)
+  {
+    error = std::max(error, vtkMTTargetCut::GetPixelError(self.Graph(), view, arc, vtkMTTargetCut::Distance));
+  }
+  return vtkMTPalette::ForError(error, this->PixelError);
 }
 
 //------------------------------------------------------------------------------
@@ -241,8 +165,9 @@ void vtkMultiTriangulationMapper::UpdateMaximumPointCellIds(vtkRenderer* rendere
   }
   // What the shader writes, and what is put in its place.
   const Internals& self = *this->Implementation;
-  const std::uint64_t triangles = self.Arena.GetTriangleCapacity() * self.GetIndicesPerTriangle();
-  renderer->GetSelector()->UpdateMaximumPointId(static_cast<vtkIdType>(self.Arena.GetVertexCapacity()));
+  const vtkMTPatchArena& arena = self.Painter->GetArena();
+  const std::uint64_t triangles = arena.GetTriangleCapacity() * self.Painter->GetIndicesPerTriangle();
+  renderer->GetSelector()->UpdateMaximumPointId(static_cast<vtkIdType>(arena.GetVertexCapacity()));
   renderer->GetSelector()->UpdateMaximumCellId(
     static_cast<vtkIdType>(std::max(triangles, self.Graph().InputCounts.Triangles)));
 }
@@ -273,32 +198,22 @@ void vtkMultiTriangulationMapper::ProcessSelectorPixelBuffers(
     return;
   }
   const vtkMTGraph& graph = self.Graph();
-  int array = -1;
-  if (points)
-  {
-    array = this->PointIdArrayName
-      ? vtkMTPatchAttributes::FindArray(graph, this->PointIdArrayName, vtkMTArrayInfo::Point)
-      : -1;
-  }
-  else
-  {
-    array = this->CellIdArrayName ? vtkMTPatchAttributes::FindArray(graph, this->CellIdArrayName, vtkMTArrayInfo::Cell)
-                                  : vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
-  }
+  const int array = FindIds(graph, points, this->PointIdArrayName, this->CellIdArrayName);
   std::uint64_t primitives = 1;
   if (cells)
   {
     const int representation = static_cast<vtkActor*>(prop)->GetProperty()->GetRepresentation();
-    primitives = this->GetPrimitivesPerTriangle(
+    primitives = self.Painter->GetPrimitivesPerTriangle(
       this->PointPicking ? GL_POINTS : static_cast<GLenum>(this->GetOpenGLMode(representation, PrimitiveTris)));
   }
-  std::vector<unsigned char> arrays = self.Streams.GetArrays(graph);
+  std::vector<unsigned char> arrays = self.Painter->GetArrays();
   if (array >= 0)
   {
     arrays[array] = 1;
   }
-  self.Cache->SetArrays(arrays);
+  vtkMTPatchCache& cache = *self.Frame.GetCache();
+  cache.SetArrays(arrays);
   vtkMTSelectionIds ids(
-    graph, self.Arena, *self.Cache, array, points ? vtkMTPatchArena::Vertices : vtkMTPatchArena::Triangles);
+    graph, self.Painter->GetArena(), cache, array, points ? vtkMTPatchArena::Vertices : vtkMTPatchArena::Triangles);
   ids.Translate(pixelOffsets, low, selector->GetRawPixelBuffer(highPass), primitives, pass == highPass, target);
 }

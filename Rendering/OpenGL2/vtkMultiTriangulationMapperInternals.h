@@ -4,82 +4,105 @@
 #define vtkMultiTriangulationMapperInternals_h
 
 #include "vtkActor.h"
+#include "vtkMTDrawingRate.h"
+#include "vtkMTFrame.h"
 #include "vtkMTGraph.h"
-#include "vtkMTPatchArena.h"
-#include "vtkMTPatchCache.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPatchStreams.h"
 #include "vtkMTPlacement.h"
-#include "vtkMTRendererCuts.h"
+#include "vtkMTTrianglePainter.h"
 #include "vtkMTView.h"
+#include "vtkMTWindowPainters.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
-#include "vtkOpenGLRenderTimer.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 #include "vtkStateStorage.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <list>
 #include <memory>
+#include <vector>
 
 struct vtkMultiTriangulationMapper::Internals
 {
   vtkNew<vtkPolyData> Template; // one point without cells: makes the superclass build the shaders
-  vtkMTRendererCuts Keeper;
-  std::unique_ptr<vtkMTPatchCache> Cache;
-  vtkMTPatchArena Arena;
-  vtkMTPatchStreams Streams;
+  vtkMTFrame Frame;
+  vtkMTDrawingRate Rate;
+  vtkMTWindowPainters Painters;
+  vtkMTTrianglePainter* Painter = nullptr; // of the window that is being drawn
+  bool KeepsPatches = false;               // where the superclass's resources are released
+  bool DrewPatches = false;
+
   vtkMTPatchStreams::Plan Plan;
   std::array<unsigned char, 4> FieldColor{ 255, 255, 255, 255 }; // of everything, where Plan says so
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
-  bool DrewPatches = false;
 
-  vtkMTView View;
-  const vtkMTCutFollower::Result* Cut = nullptr;
-  vtkMTRendererCuts::Frame Frame;
-  bool Wait = false;                             // this frame waits for what it draws
+  std::vector<vtkMTView> Views;
+  const vtkMTFrame::Result* Cut = nullptr;       // what this pass draws
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;
+  double CallSeconds = 0.0; // until this pass's draw calls had returned
 
-  std::uint64_t Triangles = 0;                         // of all patches of the source
-  std::array<double, 6> Bounds{ 0, -1, 0, -1, 0, -1 }; // of the model
+  vtkMTPlacement Placement;                            // the input's frame
+  std::array<double, 6> Bounds{ 0, -1, 0, -1, 0, -1 }; // of the model on the lattice
   std::weak_ptr<const vtkMTPatchSource> BoundsSource;  // which they were found for
-  vtkOpenGLRenderTimer Timer;                          // of draw calls, on the GPU
-  double CallSeconds = 0.0;                            // until this pass's draw calls had returned
-  double DrawSeconds = 0.0;                            // of this frame's draw calls so far, all passes
-  double MeasuredRate = 0.0;                           // triangles per second
-  // What was all on the GPU when it was last looked at; as long as that is the same, there is nothing to do.
-  struct Uploaded
+
+  // An actor in a renderer: what the frame keeps a cut for.
+  struct Seen
   {
-    const vtkMTCutFollower::Result* Cut = nullptr;
-    std::uint64_t Searches = 0;
-    std::uint64_t ArenaChanges = 0;
-    std::uint64_t GraphicsLimit = 0;
-    bool operator==(const Uploaded& other) const
-    {
-      return this->Cut == other.Cut && this->Searches == other.Searches && this->ArenaChanges == other.ArenaChanges &&
-        this->GraphicsLimit == other.GraphicsLimit;
-    }
+    vtkWeakPointer<vtkRenderer> Renderer;
+    vtkWeakPointer<vtkActor> Actor;
   };
-  Uploaded LastUpload;
+  std::list<Seen> AllSeen;
 
-  vtkMTPlacement Placement; // the input's frame
+  const vtkMTGraph& Graph() const { return this->Frame.GetGraph(); }
 
-  std::uint64_t LessTriangles = 0; // a limit for the next cut: the last one did not fit into the arena
-
-  const vtkMTGraph& Graph() const { return this->Keeper.GetSource()->GetGraph(); }
-  /// Row-major: the input's frame, and then the actor's matrix.
+  // Row-major: the input's frame, and then the actor's matrix.
   std::array<double, 16> GetModelToWorld(vtkActor* actor) const
   {
     vtkMTPlacement sum = this->Placement;
     sum.Append(actor->GetMatrix()->GetData());
     return sum.Matrix;
   }
-  int GetIndicesPerTriangle() const { return this->Plan.Edges ? 6 : 3; }
-  int GetBytesPerIndex() const { return this->Plan.ShortIndices ? 2 : 4; }
+
+  // On the lattice, wherever the input's frame puts it. Asked several times a frame, and to be found from all arcs.
+  const std::array<double, 6>& GetBounds(const std::shared_ptr<const vtkMTPatchSource>& source)
+  {
+    if (this->BoundsSource.lock() != source)
+    {
+      this->BoundsSource = source;
+      source->GetGraph().GetBounds(this->Bounds.data());
+    }
+    return this->Bounds;
+  }
+
+  vtkMTFrame::Key GetKey(vtkRenderer* renderer, vtkActor* actor)
+  {
+    const Seen* key = nullptr;
+    for (auto seen = this->AllSeen.begin(); seen != this->AllSeen.end();)
+    {
+      if (!seen->Renderer || !seen->Actor)
+      {
+        this->Frame.Forget(&*seen);
+        seen = this->AllSeen.erase(seen);
+        continue;
+      }
+      key = seen->Renderer == renderer && seen->Actor == actor ? &*seen : key;
+      ++seen;
+    }
+    if (!key)
+    {
+      this->AllSeen.push_back({ renderer, actor });
+      key = &this->AllSeen.back();
+    }
+    return key;
+  }
 };
 
 #endif

@@ -7,6 +7,11 @@
 // units are powers of two, so at ordinary sizes the shaders compute what VTK's do, bit for bit.
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMTLatticeDec.h"
+#include "vtkMTLatticeImpl.h"
+#include "vtkMTLightDistance.h"
+#include "vtkMTPbrLightDistance.h"
+#include "vtkMTViewUnitDec.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulationMapper.h"
@@ -32,6 +37,46 @@ double GetUnit(double x)
 {
   return std::isnormal(x) && x > 0.0 ? std::ldexp(1.0, -std::ilogb(x)) : 1.0;
 }
+
+//------------------------------------------------------------------------------
+// 1 over about the largest of some numbers.
+double GetUnit(const double* values, int count)
+{
+  double largest = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    largest = std::max(largest, std::abs(values[i]));
+  }
+  return GetUnit(largest);
+}
+
+//------------------------------------------------------------------------------
+// Only the direction of what it gives is looked at. VTK's normal matrices are inverses, transposed as OpenGL wants
+// them: that of a product has the other order.
+void SetNormalMatrix(
+  vtkShaderProgram* program, const vtkMTPlacement& placement, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView)
+{
+  if (!program->IsUniformUsed("normalMatrix"))
+  {
+    return;
+  }
+  const std::array<double, 16> inverse = placement.GetInverse().Matrix;
+  vtkNew<vtkMatrix3x3> frame;
+  double* elements = frame->GetData();
+  for (int i = 0; i < 9; ++i)
+  {
+    elements[i] = inverse[4 * (i / 3) + i % 3];
+  }
+  const double frameUnit = GetUnit(elements, 9);
+  std::transform(elements, elements + 9, elements, [frameUnit](double element) { return frameUnit * element; });
+  vtkNew<vtkMatrix3x3> matrix;
+  vtkMatrix3x3::Multiply3x3(modelToWorld, worldToView, matrix);
+  vtkMatrix3x3::Multiply3x3(frame, matrix, matrix);
+  elements = matrix->GetData();
+  const double unit = GetUnit(elements, 9);
+  std::transform(elements, elements + 9, elements, [unit](double element) { return unit * element; });
+  program->SetUniformMatrix("normalMatrix", matrix);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,14 +88,10 @@ void vtkMultiTriangulationMapper::GetShaderTemplate(
   {
     return;
   }
-  // Integers are subtracted without rounding, so a point has the same vertexMC in every patch that shares it.
   std::string source = shaders[vtkShader::Vertex]->GetSource();
-  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;",
-    "in ivec3 latticeMC;\n"
-    "uniform ivec3 latticeOrigin;\n");
-  vtkShaderProgram::Substitute(source, "//VTK::CustomBegin::Impl",
-    "vec4 vertexMC = vec4(vec3(latticeMC - latticeOrigin), 1.0);\n"
-    "  //VTK::CustomBegin::Impl\n");
+  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;", vtkMTLatticeDec);
+  vtkShaderProgram::Substitute(
+    source, "//VTK::CustomBegin::Impl", std::string(vtkMTLatticeImpl) + "  //VTK::CustomBegin::Impl\n");
   shaders[vtkShader::Vertex]->SetSource(source);
 }
 
@@ -76,15 +117,10 @@ void vtkMultiTriangulationMapper::ReplaceShaderValues(
   }
   substitute("normalize(-vertexVC.xyz)", "normalize(-viewUnit * vertexVC.xyz)");
   substitute("normalize(vertexVC.xyz)", "normalize(viewUnit * vertexVC.xyz)");
-  substitute("float distanceVC = length(vertLightDirectionVC);",
-    "vertLightDirectionVC *= viewUnit;\n"
-    "      float distanceVC = length(vertLightDirectionVC) / viewUnit;");
-  substitute("  distanceVC = length(L);\n",
-    "  L *= viewUnit;\n"
-    "  distanceVC = length(L) / viewUnit;\n");
-  substitute("uniform int PrimitiveIDOffset;",
-    "uniform int PrimitiveIDOffset;\n"
-    "uniform float viewUnit;");
+  substitute("float distanceVC = length(vertLightDirectionVC);", vtkMTLightDistance);
+  substitute("  distanceVC = length(L);\n", vtkMTPbrLightDistance);
+  const char* const declaration = "uniform int PrimitiveIDOffset;";
+  substitute(declaration, std::string(declaration) + "\n" + vtkMTViewUnitDec);
   shaders[vtkShader::Fragment]->SetSource(source);
 }
 
@@ -173,7 +209,7 @@ void vtkMultiTriangulationMapper::SetCameraShaderParameters(
     vtkMatrix3x3* normals;
     vtkOpenGLActor::SafeDownCast(actor)->GetKeyMatrices(modelToWorld, normals);
     vtkMatrix4x4::Multiply4x4(toWorld, modelToWorld, toWorld);
-    this->SetNormalMatrix(cellBO, normals, viewNormals);
+    SetNormalMatrix(cellBO.Program, placement, normals, viewNormals);
   }
   const auto set = [&cellBO](const char* name, vtkMatrix4x4* matrix)
   {
@@ -192,38 +228,4 @@ void vtkMultiTriangulationMapper::SetCameraShaderParameters(
     const double unit = GetUnit(renderer->GetActiveCamera()->GetClippingRange()[1]);
     cellBO.Program->SetUniformf("viewUnit", static_cast<float>(unit));
   }
-}
-
-//------------------------------------------------------------------------------
-// Only the direction of what it gives is looked at.
-void vtkMultiTriangulationMapper::SetNormalMatrix(
-  vtkOpenGLHelper& cellBO, vtkMatrix3x3* modelToWorld, vtkMatrix3x3* worldToView)
-{
-  if (!cellBO.Program->IsUniformUsed("normalMatrix"))
-  {
-    return;
-  }
-  // VTK's normal matrices are inverses, transposed as OpenGL wants them: that of a product has the other order.
-  const std::array<double, 16> inverse = this->Implementation->Placement.GetInverse().Matrix;
-  double most = 0.0;
-  for (int i = 0; i < 12; ++i)
-  {
-    most = i % 4 == 3 ? most : std::max(most, std::abs(inverse[i]));
-  }
-  vtkNew<vtkMatrix3x3> frame;
-  for (int i = 0; i < 9; ++i)
-  {
-    frame->SetElement(i / 3, i % 3, inverse[4 * (i / 3) + i % 3] * GetUnit(most));
-  }
-  vtkMatrix3x3::Multiply3x3(modelToWorld, worldToView, this->TempMatrix3);
-  vtkMatrix3x3::Multiply3x3(frame, this->TempMatrix3, this->TempMatrix3);
-  double* elements = this->TempMatrix3->GetData();
-  double largest = 0.0;
-  for (int i = 0; i < 9; ++i)
-  {
-    largest = std::max(largest, std::abs(elements[i]));
-  }
-  const double unit = GetUnit(largest);
-  std::transform(elements, elements + 9, elements, [unit](double element) { return unit * element; });
-  cellBO.Program->SetUniformMatrix("normalMatrix", this->TempMatrix3);
 }

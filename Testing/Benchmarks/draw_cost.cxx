@@ -171,8 +171,9 @@ void Report(const char* state, vtkMultiTriangulationMapper* mapper, const Times 
       "\"outside_drawing_ms\": %.3f}\n"
     : "%-14s %9lld triangles %6lld patches: %8.2f ms, vtkPolyDataMapper %8.2f ms, ratio %.3f; CPU %8.2f and %8.2f ms, "
       "ratio %.3f; outside drawing %.3f ms\n";
-  std::printf(format, state, static_cast<long long>(mapper->GetTriangles()),
-    static_cast<long long>(mapper->GetPatches()), ours, theirs, ours / theirs, cpu, theirCpu, cpu / theirCpu, outside);
+  std::printf(format, state, static_cast<long long>(mapper->GetNumberOfTriangles()),
+    static_cast<long long>(mapper->GetNumberOfPatches()), ours, theirs, ours / theirs, cpu, theirCpu, cpu / theirCpu,
+    outside);
 }
 
 void Measure(Scene& scene, const State& state, const Options& options)

@@ -291,9 +291,9 @@ std::vector<Row> FlyMapper(vtkMultiTriangulation* model, const FlightPath& path,
     row.CutSeconds = mapper->GetCutTime();
     row.OverheadSeconds = mapper->GetOverheadTime();
     row.Finest = CountFinest(model->GetSource()->GetGraph(), mapper->GetDrawnArcs());
-    row.Triangles = mapper->GetTriangles();
-    row.Patches = mapper->GetPatches();
-    row.Culled = mapper->GetCulledPatches();
+    row.Triangles = mapper->GetNumberOfTriangles();
+    row.Patches = mapper->GetNumberOfPatches();
+    row.Culled = mapper->GetNumberOfCulledPatches();
     row.PixelError = mapper->GetAchievedPixelError();
     row.PatchBytes = mapper->GetPatchMemory();
     row.GraphicsBytes = mapper->GetGraphicsMemory();
@@ -515,7 +515,7 @@ Json Compare(vtkMultiTriangulation* model, const FlightPath& path, Options optio
         path.Apply(getFrame(place), window.Renderer);
         window.Draw();
         difference.Add(window.GetPicture(), wanted[place]);
-        triangles += mapper->GetTriangles();
+        triangles += mapper->GetNumberOfTriangles();
         certified = std::max(certified, mapper->GetAchievedPixelError());
       }
       const auto drawn = static_cast<double>(std::max<std::int64_t>(difference.Drawn, 1));

@@ -3,10 +3,10 @@
 #include "MTTestMeshes.h"
 
 #include "vtkMTBuildSettings.h"
+#include "vtkMTCertifiedMesh.h"
 #include "vtkMTFarOutliers.h"
 #include "vtkMTInputMesh.h"
 #include "vtkMTMemorySpoolStore.h"
-#include "vtkMTPatchRecord.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTSequenceState.h"
 #include "vtkMTVoronoiPartition.h"
@@ -71,11 +71,10 @@ bool Read(vtkPolyData* mesh, Input& input, std::string& error, bool keep = false
   for (std::size_t region = 0; read && region < state.Fragments.GetNumberOfKeys(); ++region)
   {
     std::vector<std::vector<unsigned char>> records;
-    vtkMTPatch fragment;
-    EXPECT_TRUE(state.Fragments.Take(region, records, error) && !records.empty() &&
-      vtkMTPatchRecord::Decode(records[0], fragment, error));
-    input.Triangles += fragment.Triangles.size();
-    input.CellIds += fragment.CellColumns[0].size() / sizeof(vtkIdType);
+    vtkMTCertifiedMesh fragment;
+    EXPECT_TRUE(state.Fragments.Take(region, records, error) && !records.empty() && fragment.Decode(records[0], error));
+    input.Triangles += fragment.Mesh.Triangles.size();
+    input.CellIds += fragment.Mesh.CellColumns[0].size() / sizeof(vtkIdType);
   }
   return read;
 }

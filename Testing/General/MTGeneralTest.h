@@ -32,8 +32,8 @@ public:
   {
   }
   const vtkMTGraph& GetGraph() const override { return this->Source->GetGraph(); }
-  bool ReadPatch(std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch,
-    std::string& error) const override
+  bool ReadPatch(
+    std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override
   {
     ++this->Reads;
     if (this->IsBroken)
@@ -97,8 +97,7 @@ inline vtkMultiTriangulation* GetSphere()
     builder->SetPatchTriangles(100);
     builder->MakeNormalsOff();
     builder->Update();
-    return vtkSmartPointer<vtkMultiTriangulation>(
-      vtkMultiTriangulation::SafeDownCast(builder->GetOutputDataObject(0)));
+    return vtkSmartPointer<vtkMultiTriangulation>(vtkMultiTriangulation::SafeDownCast(builder->GetOutputDataObject(0)));
   }();
   return model;
 }

@@ -207,7 +207,7 @@ TEST(CutFilter, RegionOfAllIsTheCutItself)
   filter->SetInputData(GetSphere());
   for (int mode = 0; mode < 4; ++mode)
   {
-    mode == 0   ? filter->SetError(0.01)
+    mode == 0     ? filter->SetError(0.01)
       : mode == 1 ? filter->SetTriangleLimit(6000)
       : mode == 2 ? filter->SetLevel(2)
                   : filter->SetView(LookFrom(0, 0, 30), 500, 500);
@@ -285,8 +285,8 @@ TEST(CutFilter, WhatCannotBeGivenIsAnError)
   };
   vtkNew<vtkSphere> region;
   region->SetCenter(1.0, 0.0, 0.0);
-  for (vtkImplicitFunction* each : { static_cast<vtkImplicitFunction*>(nullptr),
-         static_cast<vtkImplicitFunction*>(region.Get()) })
+  for (vtkImplicitFunction* each :
+    { static_cast<vtkImplicitFunction*>(nullptr), static_cast<vtkImplicitFunction*>(region.Get()) })
   {
     filter->SetRegion(each);
     filter->SetTriangleLimit(1);

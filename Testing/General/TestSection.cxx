@@ -230,8 +230,8 @@ TEST(Section, CanBeAborted)
   vtkNew<vtkPlane> plane;
   section->SetImplicitFunction(plane);
   vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   section->AddObserver(vtkCommand::ProgressEvent, abort);
   section->Update();
   EXPECT_EQ(section->GetOutput()->GetNumberOfPoints(), 0);

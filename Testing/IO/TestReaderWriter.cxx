@@ -18,7 +18,10 @@
 #include "vtkPointData.h"
 #include "vtkTrivialProducer.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 using namespace MTIOTest;
 
@@ -180,4 +183,70 @@ TEST(ReaderWriter, OutputErrorChoosesWhatUnawareFiltersGet)
   reader->SetOutputError(std::nan(""));
   EXPECT_EQ(reader->GetOutputError(), 0.01);
   EXPECT_NE(warnings.Text.find("NaN"), std::string::npos);
+}
+
+TEST(ReaderWriter, FrameGoesIntoTheFileAndComesBack)
+{
+  Folder folder;
+  const auto data = MakeData();
+  const double matrix[16] = { 0, -2, 0, 5, 2, 0, 0, 6, 0, 0, 3, 7, 0, 0, 0, 1 };
+  ASSERT_TRUE(data->ApplyTransform(matrix));
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName((folder / "model.bmt").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName((folder / "model.bmt").c_str());
+  reader->Update();
+  double frame[16];
+  reader->GetOutput()->GetFrame(frame);
+  EXPECT_TRUE(std::equal(frame, frame + 16, matrix));
+  ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), data->GetNumberOfPoints());
+  // The file keeps the points of a patch in an order of its own.
+  std::multiset<std::array<double, 3>> places[2];
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+  {
+    std::array<double, 3> place;
+    data->GetPoint(p, place.data());
+    places[0].insert(place);
+    reader->GetOutput()->GetPoint(p, place.data());
+    places[1].insert(place);
+  }
+  EXPECT_EQ(places[0], places[1]);
+  double bounds[2][6];
+  data->GetModelBounds(bounds[0]);
+  reader->GetOutput()->GetModelBounds(bounds[1]);
+  EXPECT_TRUE(std::equal(bounds[0], bounds[0] + 6, bounds[1]));
+}
+
+TEST(ReaderWriter, RangesOfTheWholeModelNeedNoPatch)
+{
+  Folder folder;
+  vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(MakeData());
+  writer->SetFileName((folder / "model.bmt").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName((folder / "model.bmt").c_str());
+  reader->SetOutputError(0.0); // the finest level, to compare with
+  reader->Update();
+  vtkMultiTriangulation* model = reader->GetOutput();
+  double range[2] = { 7.0, 7.0 };
+  double expected[2];
+  ASSERT_TRUE(model->GetArrayRange("height", vtkDataObject::POINT, 0, range));
+  model->GetPointData()->GetArray("height")->GetRange(expected, 0);
+  EXPECT_EQ(range[0], expected[0]);
+  EXPECT_EQ(range[1], expected[1]);
+  ASSERT_TRUE(model->GetArrayRange("uv", vtkDataObject::POINT, 1, range));
+  model->GetPointData()->GetArray("uv")->GetRange(expected, 1);
+  EXPECT_EQ(range[1], expected[1]);
+  ASSERT_TRUE(model->GetArrayRange("uv", vtkDataObject::POINT, -1, range));
+  model->GetPointData()->GetArray("uv")->GetRange(expected, -1);
+  EXPECT_LE(range[0], expected[0]);
+  EXPECT_GE(range[1], expected[1]);
+  ASSERT_TRUE(model->GetArrayRange("vtkMTInputCellIds", vtkDataObject::CELL, 0, range));
+  EXPECT_FALSE(model->GetArrayRange("uv", vtkDataObject::POINT, 2, range));
+  EXPECT_FALSE(model->GetArrayRange("uv", vtkDataObject::CELL, 0, range));
+  EXPECT_FALSE(model->GetArrayRange("nothing", vtkDataObject::POINT, 0, range));
+  EXPECT_FALSE(model->GetArrayRange(nullptr, vtkDataObject::POINT, 0, range));
 }

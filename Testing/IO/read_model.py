@@ -126,7 +126,7 @@ class Header:
         require(data[:8] == bytes([0x89, 0x42, 0x4D, 0x54, 0x0D, 0x0A, 0x1A, 0x0A]), "no Multi-Triangulation file")
         (version, size, file_size, self.pages_at, self.sections_at, page_checksum, page, blocks,
          reserved) = struct.unpack_from("<IIQQQQIIQ", data, 8)
-        require(version == 6 and file_size == len(data), "another version, or cut off")
+        require(version == 6 and file_size == len(data), "another version, or truncated")
         require(size == max(256, align(72 + 24 * blocks)) and page == PAGE and reserved == 0, "an impossible header")
         check(data[:size - 8], struct.unpack_from("<Q", data, size - 8)[0], "the header")
         require(not any(data[64 + 24 * blocks:size - 8]), "the header is not padded with zeros")

@@ -142,10 +142,10 @@ TEST(Mapper, RefinesMoreWhereTheCameraIsNear)
   MTScene scene(mapper);
   LookFromTheSide(scene, 0.2);
   scene.Render();
-  const vtkIdType far = mapper->GetTriangles();
+  const vtkIdType far = mapper->GetNumberOfTriangles();
   scene.Renderer->GetActiveCamera()->Zoom(5.0);
   scene.Render();
-  const vtkIdType near = mapper->GetTriangles();
+  const vtkIdType near = mapper->GetNumberOfTriangles();
   std::cout << "far " << far << " triangles, near " << near << "\n";
   EXPECT_LT(2 * far, near);
 }
@@ -160,12 +160,12 @@ TEST(Mapper, KeepsThePixelErrorItPromises)
   {
     mapper->SetPixelError(error);
     scene.Render();
-    std::cout << "at " << error << ": " << mapper->GetTriangles() << " triangles, achieved "
+    std::cout << "at " << error << ": " << mapper->GetNumberOfTriangles() << " triangles, achieved "
               << mapper->GetAchievedPixelError() << "\n";
     EXPECT_TRUE(mapper->GetConverged());
     EXPECT_LE(mapper->GetAchievedPixelError(), error);
-    EXPECT_LE(mapper->GetTriangles(), last);
-    last = mapper->GetTriangles();
+    EXPECT_LE(mapper->GetNumberOfTriangles(), last);
+    last = mapper->GetNumberOfTriangles();
   }
 }
 
@@ -178,9 +178,9 @@ TEST(Mapper, NeverDrawsMoreTrianglesThanTheBudget)
   {
     mapper->SetTriangleLimit(budget);
     scene.Render();
-    std::cout << "budget " << budget << ": " << mapper->GetTriangles() << " triangles in " << mapper->GetPatches()
-              << " patches, achieved " << mapper->GetAchievedPixelError() << "\n";
-    EXPECT_LE(mapper->GetTriangles(), budget);
+    std::cout << "budget " << budget << ": " << mapper->GetNumberOfTriangles() << " triangles in "
+              << mapper->GetNumberOfPatches() << " patches, achieved " << mapper->GetAchievedPixelError() << "\n";
+    EXPECT_LE(mapper->GetNumberOfTriangles(), budget);
     EXPECT_FALSE(mapper->GetConverged());
   }
 }
@@ -191,14 +191,14 @@ TEST(Mapper, CullingChangesNoPixel)
   MTScene scene(mapper);
   LookClosely(scene);
   const auto culled = scene.Render();
-  const vtkIdType drawn = mapper->GetPatches();
-  EXPECT_GT(mapper->GetCulledPatches(), 0);
+  const vtkIdType drawn = mapper->GetNumberOfPatches();
+  EXPECT_GT(mapper->GetNumberOfCulledPatches(), 0);
   mapper->FrustumCullingOff();
   const auto all = scene.Render();
-  EXPECT_EQ(mapper->GetCulledPatches(), 0);
-  EXPECT_GT(mapper->GetPatches(), drawn);
+  EXPECT_EQ(mapper->GetNumberOfCulledPatches(), 0);
+  EXPECT_GT(mapper->GetNumberOfPatches(), drawn);
   const MTDifference difference = MTDifference::Compare(culled, all);
-  std::cout << drawn << " of " << mapper->GetPatches() << " patches with culling; " << difference << "\n";
+  std::cout << drawn << " of " << mapper->GetNumberOfPatches() << " patches with culling; " << difference << "\n";
   EXPECT_EQ(difference.Pixels, 0u);
 }
 
@@ -208,17 +208,17 @@ TEST(Mapper, FrozenCutStaysWhileTheCameraMoves)
   MTScene scene(mapper);
   LookClosely(scene);
   scene.Render();
-  const vtkIdType refined = mapper->GetRefinedNodes();
+  const vtkIdType refined = mapper->GetNumberOfRefinedNodes();
   mapper->FreezeCutOn();
   LookFromTheSide(scene);
   const auto picture = scene.Render();
-  EXPECT_EQ(mapper->GetRefinedNodes(), refined);
+  EXPECT_EQ(mapper->GetNumberOfRefinedNodes(), refined);
   const MTDifference difference = CompareWithPolyDataMapper(mapper, scene, picture);
   std::cout << difference << "\n";
   EXPECT_LE(difference.ClearlyOff, 5u);
   mapper->FreezeCutOff();
   scene.Render();
-  EXPECT_NE(mapper->GetRefinedNodes(), refined);
+  EXPECT_NE(mapper->GetNumberOfRefinedNodes(), refined);
 }
 
 TEST(Mapper, UnevenCutsHaveNoCracks)
@@ -247,7 +247,7 @@ TEST(Mapper, UnevenCutsHaveNoCracks)
   std::set<std::uint32_t> levels;
   vtkNew<vtkPolyData> mesh;
   mapper->GetCut(mesh);
-  std::cout << mapper->GetPatches() << " patches, " << mesh->GetNumberOfCells() << " triangles, " << background
+  std::cout << mapper->GetNumberOfPatches() << " patches, " << mesh->GetNumberOfCells() << " triangles, " << background
             << " background pixels\n";
   EXPECT_EQ(background, 0);
 }
@@ -263,10 +263,10 @@ TEST(Mapper, LookupTableChangeReadsNothingAndUploadsColorsOnly)
   vtkLookupTable::SafeDownCast(mapper->GetLookupTable())->SetHueRange(0.3, 0.8);
   const auto after = scene.Render();
   const vtkIdType bytes = mapper->GetNumberOfUploadedBytes() - uploaded;
-  std::cout << bytes << " bytes uploaded for " << mapper->GetTriangles() << " triangles\n";
+  std::cout << bytes << " bytes uploaded for " << mapper->GetNumberOfTriangles() << " triangles\n";
   EXPECT_GT(MTDifference::Compare(before, after).ClearlyOff, 1000u);
   EXPECT_EQ(mapper->GetNumberOfReads(), reads);
-  EXPECT_LT(bytes, 4 * mapper->GetTriangles());
+  EXPECT_LT(bytes, 4 * mapper->GetNumberOfTriangles());
   EXPECT_LE(CompareWithPolyDataMapper(mapper, scene, after).ClearlyOff, 5u);
 }
 
@@ -344,10 +344,10 @@ TEST(Mapper, TwoRenderersHaveTheirOwnCuts)
   other->ResetCamera();
   other->GetActiveCamera()->Zoom(0.1);
   scene.Render();
-  const vtkIdType farther = mapper->GetTriangles();
+  const vtkIdType farther = mapper->GetNumberOfTriangles();
   scene.Window->RemoveRenderer(other);
   scene.Render();
-  EXPECT_GT(mapper->GetTriangles(), farther);
+  EXPECT_GT(mapper->GetNumberOfTriangles(), farther);
 }
 
 TEST(Mapper, DrawsAgainAfterReleasingGraphicsResources)
@@ -479,7 +479,7 @@ TEST(Mapper, ShallowCopyDrawsTheSame)
   LookFromTheSide(a);
   LookFromTheSide(b);
   EXPECT_EQ(MTDifference::Compare(a.Render(), b.Render()).Pixels, 0u);
-  EXPECT_EQ(mapper->GetTriangles(), copy->GetTriangles());
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), copy->GetNumberOfTriangles());
 }
 
 TEST(Mapper, SmallMemoryLimitDrawsTheSame)

@@ -661,11 +661,11 @@ TEST_P(AgainstPolyDataMapper, DrawsTheSamePixels)
   const auto expected = plain.Render();
 
   const MTDifference difference = MTDifference::Compare(picture, expected);
-  std::cout << state.Name << ": " << mapper->GetTriangles() << " triangles in " << mapper->GetPatches() << " patches, "
-            << difference << "\n";
+  std::cout << state.Name << ": " << mapper->GetNumberOfTriangles() << " triangles in " << mapper->GetNumberOfPatches()
+            << " patches, " << difference << "\n";
   MTWritePicture(picture, std::string(MT_TEST_OUTPUT_DIRECTORY) + "/Mapper" + state.Name + ".png");
   MTWritePicture(expected, std::string(MT_TEST_OUTPUT_DIRECTORY) + "/Mapper" + state.Name + "Expected.png");
-  EXPECT_GT(mapper->GetPatches(), 20);
+  EXPECT_GT(mapper->GetNumberOfPatches(), 20);
   EXPECT_GT(difference.Drawn, 4000u);
   EXPECT_LE(static_cast<double>(difference.ClearlyOff), state.Allowed * static_cast<double>(difference.Drawn));
 }

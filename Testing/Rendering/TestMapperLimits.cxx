@@ -63,9 +63,9 @@ TEST(MapperBudget, DesiredUpdateRateLimitsTriangles)
   {
     scene.Window->SetDesiredUpdateRate(rate);
     scene.Render();
-    std::cout << rate << " frames per second: " << mapper->GetTriangles() << " triangles\n";
-    EXPECT_LE(static_cast<double>(mapper->GetTriangles()), 2e5 / rate);
-    EXPECT_GE(static_cast<double>(mapper->GetTriangles()), rate < 100.0 ? 0.6 * 2e5 / rate : 1.0);
+    std::cout << rate << " frames per second: " << mapper->GetNumberOfTriangles() << " triangles\n";
+    EXPECT_LE(static_cast<double>(mapper->GetNumberOfTriangles()), 2e5 / rate);
+    EXPECT_GE(static_cast<double>(mapper->GetNumberOfTriangles()), rate < 100.0 ? 0.6 * 2e5 / rate : 1.0);
     EXPECT_FALSE(mapper->GetConverged());
   }
 }
@@ -78,11 +78,11 @@ TEST(MapperBudget, StillViewIsRefinedToThePixelError)
   LookFromTheSide(scene);
   scene.Window->SetDesiredUpdateRate(30.0);
   scene.Render();
-  const vtkIdType moving = mapper->GetTriangles();
+  const vtkIdType moving = mapper->GetNumberOfTriangles();
   EXPECT_FALSE(mapper->GetConverged());
   scene.Window->SetDesiredUpdateRate(0.0001); // what an interactor asks for when it rests
   const auto still = scene.Render();
-  std::cout << moving << " triangles while moving, " << mapper->GetTriangles() << " when still\n";
+  std::cout << moving << " triangles while moving, " << mapper->GetNumberOfTriangles() << " when still\n";
   EXPECT_TRUE(mapper->GetConverged());
   const auto unhurried = MakeMapper(0.3);
   MTScene other(unhurried);
@@ -106,10 +106,10 @@ TEST(MapperBudget, ActorsShareTheTimeOfTheirRenderer)
     mapper->SetDrawingRate(3e5);
   }
   scene.Render();
-  std::cout << first->GetTriangles() << " and " << second->GetTriangles() << " triangles\n";
-  EXPECT_LE(first->GetTriangles() + second->GetTriangles(), 30000);
-  EXPECT_GT(first->GetTriangles(), 5000);
-  EXPECT_GT(second->GetTriangles(), 5000);
+  std::cout << first->GetNumberOfTriangles() << " and " << second->GetNumberOfTriangles() << " triangles\n";
+  EXPECT_LE(first->GetNumberOfTriangles() + second->GetNumberOfTriangles(), 30000);
+  EXPECT_GT(first->GetNumberOfTriangles(), 5000);
+  EXPECT_GT(second->GetNumberOfTriangles(), 5000);
 }
 
 TEST(MapperBudget, RateIsMeasuredWhenNoneIsSet)
@@ -123,14 +123,14 @@ TEST(MapperBudget, RateIsMeasuredWhenNoneIsSet)
     scene.Render();
   }
   EXPECT_GT(mapper->GetCurrentDrawingRate(), 0.0);
-  const vtkIdType all = mapper->GetTriangles();
+  const vtkIdType all = mapper->GetNumberOfTriangles();
   // So that whatever this machine draws in a second, a tenth of the triangles must do.
   const double rate = 10.0 * mapper->GetCurrentDrawingRate() / static_cast<double>(all);
   scene.Window->SetDesiredUpdateRate(rate);
   scene.Render();
   std::cout << mapper->GetCurrentDrawingRate() << " triangles per second; " << all << " triangles, at " << rate
-            << " frames per second " << mapper->GetTriangles() << "\n";
-  EXPECT_LT(mapper->GetTriangles(), all);
+            << " frames per second " << mapper->GetNumberOfTriangles() << "\n";
+  EXPECT_LT(mapper->GetNumberOfTriangles(), all);
 }
 
 TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
@@ -146,7 +146,7 @@ TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
     {
       Fly(scene, step / 16.0);
       const auto picture = scene.Render();
-      most = std::max(most, mapper->GetTriangles());
+      most = std::max(most, mapper->GetNumberOfTriangles());
       EXPECT_LE(mapper->GetGraphicsMemory(), limit);
       vtkNew<vtkPolyData> mesh;
       ASSERT_TRUE(mapper->GetCut(mesh));
@@ -173,11 +173,11 @@ TEST(MapperBudget, CoarsestCutIsDrawnWhateverTheLimit)
   MTScene scene(mapper);
   LookFromTheSide(scene);
   const auto picture = scene.Render();
-  EXPECT_EQ(mapper->GetRefinedNodes(), 0);
+  EXPECT_EQ(mapper->GetNumberOfRefinedNodes(), 0);
   vtkNew<vtkPolyData> mesh;
   ASSERT_TRUE(mapper->GetCut(mesh));
-  EXPECT_EQ(mesh->GetNumberOfCells(), mapper->GetTriangles());
-  std::cout << mapper->GetTriangles() << " triangles in " << mapper->GetMostGraphicsMemory() << " bytes\n";
+  EXPECT_EQ(mesh->GetNumberOfCells(), mapper->GetNumberOfTriangles());
+  std::cout << mapper->GetNumberOfTriangles() << " triangles in " << mapper->GetMostGraphicsMemory() << " bytes\n";
   vtkNew<vtkPolyDataMapper> reference;
   reference->SetInputData(mesh);
   reference->SetScalarRange(mapper->GetScalarRange());
@@ -199,7 +199,7 @@ TEST(MapperBudget, LoweredLimitTakesEffectInTheNextFrame)
     mapper->SetGraphicsMemoryLimit(limit);
     scene.Render();
     std::cout << "limit " << limit << " after " << before << ": " << mapper->GetGraphicsMemory() << " bytes, "
-              << mapper->GetTriangles() << " triangles\n";
+              << mapper->GetNumberOfTriangles() << " triangles\n";
     EXPECT_LE(mapper->GetGraphicsMemory(), limit);
   }
 }
@@ -216,8 +216,8 @@ TEST(MapperBudget, GrowingArenaUploadsNothingTwice)
     mapper->SetTriangleLimit(budget);
     scene.Render();
     const vtkIdType uploaded = mapper->GetNumberOfUploadedBytes();
-    std::cout << "budget " << budget << ": " << mapper->GetTriangles() << " triangles, " << mapper->GetGraphicsMemory()
-              << " bytes, " << uploaded - last << " uploaded\n";
+    std::cout << "budget " << budget << ": " << mapper->GetNumberOfTriangles() << " triangles, "
+              << mapper->GetGraphicsMemory() << " bytes, " << uploaded - last << " uploaded\n";
     last = uploaded;
   }
   // What a mapper uploads that draws the same at once, and what it drew on the way there.

@@ -122,8 +122,8 @@ TEST(MapperLoading, CoarsestPatchesAreOnScreenAtOnceWhileEverythingElseHangs)
   for (int frame = 0; frame < 5; ++frame)
   {
     const auto picture = scene.Render(); // would never come back if it waited for anything
-    EXPECT_EQ(mapper->GetRefinedNodes(), 0);
-    EXPECT_GT(mapper->GetTriangles(), 0);
+    EXPECT_EQ(mapper->GetNumberOfRefinedNodes(), 0);
+    EXPECT_GT(mapper->GetNumberOfTriangles(), 0);
     EXPECT_TRUE(mapper->GetLoading());
     EXPECT_FALSE(mapper->GetConverged());
     EXPECT_LE(CountWrongPixels(mapper, scene, picture), 6u);
@@ -156,11 +156,11 @@ TEST(MapperLoading, FramesThatDoNotWaitEndWithThePictureOfThoseThatDo)
     EXPECT_LE(mapper->GetNumberOfUploadedBytes() - uploaded, 60000);
     uploaded = mapper->GetNumberOfUploadedBytes();
   }
-  std::cout << frames << " frames, " << mapper->GetTriangles() << " triangles, longest lock "
+  std::cout << frames << " frames, " << mapper->GetNumberOfTriangles() << " triangles, longest lock "
             << mapper->GetLongestLock() * 1e6 << " microseconds\n";
   EXPECT_FALSE(mapper->GetLoading());
   EXPECT_TRUE(mapper->GetConverged());
-  EXPECT_EQ(mapper->GetTriangles(), waiting->GetTriangles());
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), waiting->GetNumberOfTriangles());
   EXPECT_EQ(MTDifference::Compare(picture, expected).Pixels, 0u);
 }
 
@@ -182,8 +182,8 @@ TEST(MapperLoading, EveryFrameOfAFlightIsRightAndWithinItsLimits)
     const double t = step / 40.0;
     Look(scene, t);
     const auto picture = scene.Render();
-    most = std::max(most, mapper->GetTriangles());
-    EXPECT_LE(mapper->GetTriangles(), 12000);
+    most = std::max(most, mapper->GetNumberOfTriangles());
+    EXPECT_LE(mapper->GetNumberOfTriangles(), 12000);
     EXPECT_LE(mapper->GetMostPatchMemory(), 600000);
     EXPECT_LE(mapper->GetMostGraphicsMemory(), 900000);
     if (step > 0)
@@ -290,8 +290,8 @@ TEST(MapperLoading, BrokenPatchIsNamedOnceAndTheCoarserOneStays)
     EXPECT_NE(message.find("slow.bmt"), std::string::npos);
     EXPECT_NE(message.find("patch"), std::string::npos);
   }
-  std::cout << messages.size() << " messages, " << mapper->GetTriangles() << " triangles\n";
-  EXPECT_GT(mapper->GetRefinedNodes(), 0);
+  std::cout << messages.size() << " messages, " << mapper->GetNumberOfTriangles() << " triangles\n";
+  EXPECT_GT(mapper->GetNumberOfRefinedNodes(), 0);
   EXPECT_LE(CountWrongPixels(mapper, scene, picture), 6u);
 }
 
@@ -323,8 +323,8 @@ TEST(MapperLoading, WhatFacesAwayIsLeftOutAndChangesNoPixel)
           camera->SetViewUp(0.0, 0.0, 1.0);
           scene.Renderer->ResetCamera();
           pictures.push_back(scene.Render());
-          leftOut += mapper->GetFacingAwayPatches();
-          EXPECT_TRUE(culling || mapper->GetFacingAwayPatches() == 0);
+          leftOut += mapper->GetNumberOfFacingAwayPatches();
+          EXPECT_TRUE(culling || mapper->GetNumberOfFacingAwayPatches() == 0);
         }
         EXPECT_EQ(MTDifference::Compare(pictures[0], pictures[1]).Pixels, 0u);
       }

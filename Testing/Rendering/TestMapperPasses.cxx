@@ -139,7 +139,7 @@ TEST(MapperPasses, ColourChangesUploadColoursOnly)
   ASSERT_TRUE(mapper->GetCut(mesh));
   // Patches repeat the points on their borders.
   const vtkIdType vertices = 2 * mesh->GetNumberOfPoints();
-  const vtkIdType triangles = mapper->GetTriangles();
+  const vtkIdType triangles = mapper->GetNumberOfTriangles();
   const auto change = [&](const char* what, vtkIdType allowed, const std::function<void()>& apply)
   {
     const vtkIdType before = mapper->GetNumberOfUploadedBytes();

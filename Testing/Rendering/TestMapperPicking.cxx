@@ -291,7 +291,7 @@ TEST(Picking, LocatorReadsOnlyTheIdsOfThePatchThatIsHit)
   const vtkIdType loaded = mapper->GetNumberOfReads();
   const int before = source->Reads;
   EXPECT_GE(PickCell(picker, scene, 150, 150), 0);
-  std::cout << source->Reads - before << " patches read for a pick in " << mapper->GetPatches() << "\n";
+  std::cout << source->Reads - before << " patches read for a pick in " << mapper->GetNumberOfPatches() << "\n";
   EXPECT_LE(source->Reads - before, 1);
   EXPECT_EQ(mapper->GetNumberOfReads(), loaded); // nothing is asked of the loader
 
@@ -302,6 +302,6 @@ TEST(Picking, LocatorReadsOnlyTheIdsOfThePatchThatIsHit)
   const int again = source->Reads;
   EXPECT_EQ(PickCell(picker, scene, 150, 150), cell);
   std::cout << source->Reads - again << " where none is in main memory\n";
-  EXPECT_LT(source->Reads - again, mapper->GetPatches());
+  EXPECT_LT(source->Reads - again, mapper->GetNumberOfPatches());
 }
 }

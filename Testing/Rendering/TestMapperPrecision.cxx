@@ -168,7 +168,7 @@ Picture Draw(const Place& place, const Look& look)
   scene.Renderer->ResetCameraClippingRange();
   Picture picture;
   picture.Image = scene.Render();
-  picture.Triangles = mapper->GetTriangles();
+  picture.Triangles = mapper->GetNumberOfTriangles();
   picture.Cut = vtkSmartPointer<vtkPolyData>::New();
   mapper->GetCut(picture.Cut);
   return picture;

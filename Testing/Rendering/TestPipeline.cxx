@@ -147,8 +147,8 @@ TEST_F(Pipeline, CutIsDrawnAsVtkDrawsItsTriangles)
     MTScene plain(reference);
     LookAtSphere(plain, distance);
     const MTDifference difference = MTDifference::Compare(picture, plain.Render());
-    std::cout << "distance " << distance << ": " << mapper->GetTriangles() << " triangles in " << mapper->GetPatches()
-              << " patches, " << difference << "\n";
+    std::cout << "distance " << distance << ": " << mapper->GetNumberOfTriangles() << " triangles in "
+              << mapper->GetNumberOfPatches() << " patches, " << difference << "\n";
     EXPECT_LE(difference.ClearlyOff, 1 + difference.Drawn / 10000);
   }
 }
@@ -168,7 +168,7 @@ TEST_F(Pipeline, SilhouetteStaysWithinThePixelErrorOfTheInputs)
     const std::vector<char> ours = GetMask(scene.Render());
     const std::vector<char> theirs = GetMask(reference.Render());
     const double farthest = std::max(GetFarthest(ours, theirs, 300), GetFarthest(theirs, ours, 300));
-    std::cout << "at " << pixels << ": " << mapper->GetTriangles() << " triangles, achieved "
+    std::cout << "at " << pixels << ": " << mapper->GetNumberOfTriangles() << " triangles, achieved "
               << mapper->GetAchievedPixelError() << ", the silhouettes differ by " << farthest << " pixels\n";
     EXPECT_TRUE(mapper->GetConverged());
     EXPECT_LE(mapper->GetAchievedPixelError(), pixels);
@@ -186,12 +186,12 @@ TEST_F(Pipeline, CostFollowsThePicture)
   {
     LookAtSphere(scene, distance);
     scene.Render();
-    std::cout << "distance " << distance << ": " << mapper->GetTriangles() << " triangles, cut in "
+    std::cout << "distance " << distance << ": " << mapper->GetNumberOfTriangles() << " triangles, cut in "
               << 1e3 * mapper->GetCutTime() << " ms, frame in " << 1e3 * mapper->GetFrameTime() << " ms\n";
-    EXPECT_GE(mapper->GetTriangles(), last);
-    last = mapper->GetTriangles();
+    EXPECT_GE(mapper->GetNumberOfTriangles(), last);
+    last = mapper->GetNumberOfTriangles();
   }
-  EXPECT_LT(mapper->GetTriangles(), Mesh->GetNumberOfCells());
+  EXPECT_LT(mapper->GetNumberOfTriangles(), Mesh->GetNumberOfCells());
 }
 
 TEST_F(Pipeline, BudgetIsUsedAndNotExceeded)
@@ -210,9 +210,9 @@ TEST_F(Pipeline, BudgetIsUsedAndNotExceeded)
     const auto budget = static_cast<vtkIdType>(patches * mean) + 1;
     mapper->SetTriangleLimit(budget);
     scene.Render();
-    std::cout << "budget " << budget << ": " << mapper->GetTriangles() << "\n";
-    EXPECT_LE(mapper->GetTriangles(), budget);
-    EXPECT_TRUE(mapper->GetConverged() || mapper->GetTriangles() >= 0.9 * static_cast<double>(budget));
+    std::cout << "budget " << budget << ": " << mapper->GetNumberOfTriangles() << "\n";
+    EXPECT_LE(mapper->GetNumberOfTriangles(), budget);
+    EXPECT_TRUE(mapper->GetConverged() || mapper->GetNumberOfTriangles() >= 0.9 * static_cast<double>(budget));
   }
 }
 
@@ -281,8 +281,8 @@ TEST_F(Pipeline, NormalsHaveNoSeamsBetweenPatches)
       }
     }
   }
-  std::cout << mapper->GetPatches() << " patches, the largest step between pixels is " << largest << "\n";
-  EXPECT_GT(mapper->GetPatches(), 30);
+  std::cout << mapper->GetNumberOfPatches() << " patches, the largest step between pixels is " << largest << "\n";
+  EXPECT_GT(mapper->GetNumberOfPatches(), 30);
   EXPECT_LE(largest, 8);
 }
 
@@ -322,7 +322,7 @@ TEST_F(Pipeline, TextureSeamsAreDrawnAsVtkDrawsThem)
     plain.Actor->SetTexture(texture);
     LookAtSphere(plain, 4.0);
     const MTDifference difference = MTDifference::Compare(picture, plain.Render());
-    std::cout << "at " << pixelError << ": " << mapper->GetTriangles() << " triangles, " << difference << "\n";
+    std::cout << "at " << pixelError << ": " << mapper->GetNumberOfTriangles() << " triangles, " << difference << "\n";
     EXPECT_GT(difference.Drawn, 10000u);
     EXPECT_LE(difference.ClearlyOff, 1 + difference.Drawn / 10000);
     MTWritePicture(picture, std::string(MT_TEST_OUTPUT_DIRECTORY) + "/SeamSphere.png");
@@ -343,7 +343,7 @@ TEST_F(Pipeline, PicturesMatchTheirBaselines)
   mapper->FreezeCutOn();
   LookAtSphere(scene, 5.0);
   scene.Render();
-  std::cout << mapper->GetTriangles() << " triangles in " << mapper->GetPatches() << " patches\n";
+  std::cout << mapper->GetNumberOfTriangles() << " triangles in " << mapper->GetNumberOfPatches() << " patches\n";
   const std::pair<int, const char*> modes[] = { { vtkMultiTriangulationMapper::LEVEL, "SphereByLevel" },
     { vtkMultiTriangulationMapper::PATCH, "SphereByPatch" }, { vtkMultiTriangulationMapper::NONE, "Sphere" } };
   for (const auto& mode : modes)

@@ -100,7 +100,7 @@ Count Compare(const vtkMTPatchSource& model, const vtkMTView& view)
   settings.FrustumCulling = false;
   vtkMTTargetCut::Input input;
   input.Graph = &graph;
-  input.View = &view;
+  input.Views = { view };
   const auto result = extraction.Extract(input, settings);
   Count count;
   std::uint64_t triangles = 0;
@@ -238,7 +238,7 @@ TEST(Culling, ConesThatLieCullNothing)
   settings.FacingCulling = true;
   vtkMTTargetCut::Input input;
   input.Graph = &graph;
-  input.View = &view;
+  input.Views = { view };
   EXPECT_GT(extraction.Extract(input, settings).ArcsFacingAway, 0u);
   const float nan = std::nanf("");
   for (const std::array<float, 4>& cone : { std::array<float, 4>{ 0, 0, 0, 0.9f }, { 1e30f, 0, 0, 0.9f },

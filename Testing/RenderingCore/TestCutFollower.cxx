@@ -46,7 +46,7 @@ struct World
   {
     Follower::Input input;
     input.Graph = &this->Graph;
-    input.View = &view;
+    input.Views = { view };
     input.GetState = [this](std::uint32_t arc) { return this->States[arc]; };
     return input;
   }

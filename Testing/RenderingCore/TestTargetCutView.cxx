@@ -21,7 +21,7 @@ vtkMTTargetCut::Result Extract(const vtkMTGraph& graph, const vtkMTView& view, c
   vtkMTTargetCut extraction;
   vtkMTTargetCut::Input input;
   input.Graph = &graph;
-  input.View = &view;
+  input.Views = { view };
   return extraction.Extract(input, settings);
 }
 
@@ -203,7 +203,7 @@ TEST(ExtractionView, KeptCutIsShownAsItWasExtracted)
     settings.PixelError = 0.5;
     vtkMTTargetCut::Input input;
     input.Graph = &graph;
-    input.View = &view;
+    input.Views = { view };
     const auto result = extraction.Extract(input, settings);
     const auto shown = extraction.View(result.Cut, input, settings);
     EXPECT_EQ(shown.Arcs, result.Arcs);
@@ -224,5 +224,76 @@ TEST(ExtractionView, OutOfSightNothingIsRefinedOrDrawn)
   EXPECT_EQ(result.Triangles, 0u);
   EXPECT_EQ(result.PixelError, 0.0);
   EXPECT_TRUE(result.Converged);
+}
+
+// One cut for several views, of which each one alone asks for another.
+TEST(ExtractionViews, CutOfSeveralIsAsFineAsThatOfEachAndNoFinerThanNeeded)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(16, 300);
+  const std::vector<vtkMTView> views = MTViews::MakeRandom(2, 40);
+  std::size_t finer = 0;
+  std::size_t shared = 0;
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    vtkMTTargetCut::Settings settings;
+    settings.PixelError = 0.3;
+    vtkMTTargetCut::Input input;
+    input.Graph = &graph;
+    input.Views = { views[i], views[(i + 7) % views.size()], views[(i + 16) % views.size()] };
+    input.Views.resize(i % 4 == 0 ? 3 : 2);
+    vtkMTTargetCut extraction;
+    const auto together = extraction.Extract(input, settings);
+    ASSERT_TRUE(MTRandomGraph::IsClosed(graph, together.Cut));
+    EXPECT_TRUE(together.Converged);
+    vtkMTCut needed(graph);
+    double largest = 0.0;
+    for (const vtkMTView& view : input.Views)
+    {
+      const auto alone = Extract(graph, view, settings);
+      for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+      {
+        ASSERT_TRUE(!alone.Cut.IsRefined(node) || together.Cut.IsRefined(node)) << "node " << node;
+        finer += together.Cut.IsRefined(node) && !alone.Cut.IsRefined(node) ? 1 : 0;
+        if (alone.Cut.IsRefined(node))
+        {
+          needed.RefineWithDependencies(node);
+        }
+      }
+      // What this view shows of the cut is drawn, and within the error.
+      const auto seen = vtkMTTargetCut().View(together.Cut, { &graph, { view } }, settings);
+      EXPECT_TRUE(seen.Converged);
+      EXPECT_TRUE(std::includes(together.Arcs.begin(), together.Arcs.end(), seen.Arcs.begin(), seen.Arcs.end()));
+      largest = std::max(largest, seen.PixelError);
+      shared += seen.Arcs.size();
+    }
+    EXPECT_EQ(together.PixelError, largest);
+    EXPECT_EQ(needed.GetArcs(), together.Cut.GetArcs());
+    for (const std::uint32_t arc : together.Arcs)
+    {
+      EXPECT_TRUE(std::any_of(input.Views.begin(), input.Views.end(),
+        [&](const vtkMTView& view) { return vtkMTTargetCut::IsVisible(graph, view, arc); }));
+    }
+    EXPECT_EQ(together.ArcsCulled + together.Arcs.size(), together.ArcsInCut);
+  }
+  std::cout << finer << " nodes that one of the views alone would not refine, " << shared << " patches seen\n";
+  EXPECT_GT(finer, 100u);
+}
+
+TEST(ExtractionViews, SameViewTwiceIsThatView)
+{
+  const vtkMTGraph graph = MTRandomGraph::Make(17, 200);
+  for (const vtkMTView& view : MTViews::MakeRandom(3, 24))
+  {
+    vtkMTTargetCut::Settings settings;
+    settings.PixelError = 0.5;
+    settings.TriangleLimit = 3000;
+    settings.FacingCulling = true;
+    vtkMTTargetCut extraction;
+    const auto once = extraction.Extract({ &graph, { view } }, settings);
+    const auto twice = extraction.Extract({ &graph, { view, view } }, settings);
+    EXPECT_EQ(once.Arcs, twice.Arcs);
+    EXPECT_EQ(once.PixelError, twice.PixelError);
+    EXPECT_EQ(once.ArcsFacingAway, twice.ArcsFacingAway);
+  }
 }
 }

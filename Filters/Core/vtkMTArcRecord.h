@@ -6,12 +6,12 @@
 #ifndef vtkMTArcRecord_h
 #define vtkMTArcRecord_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTFiltersCoreModule.h" // For export macro
 #include "vtkMTGraph.h"
 
 struct vtkMTPatch;
 
 /// step: of the lattice, model units. From and To are left 0.
-VTKMTCONSTRUCTION_EXPORT vtkMTArc vtkMTMakeArcRecord(const vtkMTPatch& patch, double step);
+VTKMTFILTERSCORE_EXPORT vtkMTArc vtkMTMakeArcRecord(const vtkMTPatch& patch, double step);
 
 #endif

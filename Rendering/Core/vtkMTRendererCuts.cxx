@@ -3,8 +3,6 @@
 
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTRendererView.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +16,18 @@ bool IsSame(const vtkMTCutFollower::Settings& a, const vtkMTCutFollower::Setting
   return a.PixelError == b.PixelError && a.TriangleLimit == b.TriangleLimit && a.TimeLimit == b.TimeLimit &&
     a.ErrorMetric == b.ErrorMetric && a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling &&
     a.UploadBudget == b.UploadBudget && a.Prefetch == b.Prefetch && a.Wait == b.Wait;
+}
+
+bool IsSame(const vtkMTView& a, const vtkMTView& b)
+{
+  return a.ModelToEye == b.ModelToEye && a.Stretch == b.Stretch && a.ParallelProjection == b.ParallelProjection &&
+    a.PixelsPerUnit == b.PixelsPerUnit && a.HalfSize == b.HalfSize && a.Near == b.Near && a.Far == b.Far;
+}
+
+bool IsSame(const std::vector<vtkMTView>& a, const std::vector<vtkMTView>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const vtkMTView& one, const vtkMTView& other) { return IsSame(one, other); });
 }
 
 // Whether a cut is also what other sizes of vertices and triangles, or another budget of bytes, ask for.
@@ -47,44 +57,20 @@ bool vtkMTRendererCuts::SetSource(const std::shared_ptr<const vtkMTPatchSource>&
   }
   this->Source = source;
   this->All.clear();
-  this->Gone.clear();
   this->Last.reset();
   this->Resident.assign(source ? source->GetGraph().Arcs.size() : 0, 1);
   this->ReadableRevision = 0;
   return true;
 }
 
-vtkMTRendererCuts::Kept& vtkMTRendererCuts::Find(vtkRenderer* renderer)
+vtkMTRendererCuts::ResultPointer vtkMTRendererCuts::Update(
+  Key renderer, const Frame& frame, const vtkMTPatchCache& cache)
 {
-  for (const Kept& kept : this->All)
-  {
-    if (kept.Renderer == nullptr)
-    {
-      this->Gone.push_back(kept.Follower.get());
-    }
-  }
-  this->All.remove_if([](const Kept& kept) { return kept.Renderer == nullptr; });
-  auto found = std::find_if(
-    this->All.begin(), this->All.end(), [renderer](const Kept& kept) { return kept.Renderer == renderer; });
-  if (found == this->All.end())
-  {
-    found = this->All.emplace(this->All.end());
-    found->Renderer = renderer;
-    found->Follower = std::make_unique<vtkMTCutFollower>();
-    // The address may be that of a view that is no more.
-    this->Gone.erase(std::remove(this->Gone.begin(), this->Gone.end(), found->Follower.get()), this->Gone.end());
-  }
-  return *found;
-}
-
-const vtkMTCutFollower::Result& vtkMTRendererCuts::Update(
-  vtkRenderer* renderer, const Frame& frame, const vtkMTPatchCache& cache)
-{
-  Kept& kept = this->Find(renderer);
+  Kept& kept = this->All[renderer];
   // A patch that turns out unreadable would leave a hole in a frozen cut.
   const bool keepCut = frame.Freeze && kept.Result && kept.Readable == this->ReadableRevision;
   const bool same = kept.Result && kept.Frozen == keepCut && kept.Readable == this->ReadableRevision &&
-    IsSame(kept.Settings, frame.Settings) && vtkMTRendererView::IsSame(kept.View, frame.View) &&
+    IsSame(kept.Settings, frame.Settings) && IsSame(kept.Views, frame.Views) &&
     FitsAsWell(this->Source->GetGraph(), *kept.Result, kept.Settings, frame.Settings);
   const bool settled = kept.Frozen || (kept.Result && kept.Result->OnTarget);
   if (!same || (frame.Advance && !settled))
@@ -92,7 +78,7 @@ const vtkMTCutFollower::Result& vtkMTRendererCuts::Update(
     this->Compute(kept, frame, keepCut, cache);
   }
   this->Last = kept.Result;
-  return *kept.Result;
+  return kept.Result;
 }
 
 void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, const vtkMTPatchCache& cache)
@@ -100,7 +86,7 @@ void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, co
   const auto start = std::chrono::steady_clock::now();
   vtkMTCutFollower::Input input;
   input.Graph = &this->Source->GetGraph();
-  input.View = &frame.View;
+  input.Views = frame.Views;
   input.Resident = this->ReadableRevision > 0 ? &this->Resident : nullptr;
   input.GetState = [&](std::uint32_t arc)
   {
@@ -110,17 +96,17 @@ void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, co
   };
   if (keepCut)
   {
-    auto seen = std::make_shared<vtkMTCutFollower::Result>(kept.Follower->View(input, frame.Settings));
+    auto seen = std::make_shared<vtkMTCutFollower::Result>(kept.Follower.View(input, frame.Settings));
     seen->Wants = kept.Result->Wants;
     kept.Result = std::move(seen);
   }
   else
   {
-    kept.Result = std::make_shared<vtkMTCutFollower::Result>(kept.Follower->Update(input, frame.Settings));
+    kept.Result = std::make_shared<vtkMTCutFollower::Result>(kept.Follower.Update(input, frame.Settings));
   }
   ++this->Searches;
   kept.Posted = false;
-  kept.View = frame.View;
+  kept.Views = frame.Views;
   kept.Settings = frame.Settings;
   kept.Frozen = keepCut;
   kept.Readable = this->ReadableRevision;
@@ -129,25 +115,38 @@ void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, co
 
 void vtkMTRendererCuts::Post(vtkMTPatchCache& cache)
 {
-  for (const void* view : this->Gone)
-  {
-    cache.Forget(view);
-  }
-  this->Gone.clear();
-  for (Kept& kept : this->All)
+  for (auto& [renderer, kept] : this->All)
   {
     if (kept.Result && !kept.Posted)
     {
       kept.Posted = true;
-      cache.SetWants(kept.Follower.get(), kept.Result->Wants);
+      cache.SetWants(renderer, kept.Result->Wants);
     }
+  }
+}
+
+void vtkMTRendererCuts::PostAgain()
+{
+  for (auto& each : this->All)
+  {
+    each.second.Posted = false;
+  }
+}
+
+void vtkMTRendererCuts::Forget(Key renderer, vtkMTPatchCache* cache)
+{
+  this->All.erase(renderer);
+  if (cache)
+  {
+    cache->Forget(renderer);
   }
 }
 
 void vtkMTRendererCuts::Invalidate()
 {
-  for (Kept& kept : this->All)
+  for (auto& each : this->All)
   {
+    Kept& kept = each.second;
     kept.Readable = kept.Result == this->Last ? ~std::uint64_t(0) : kept.Readable;
   }
 }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkMultiTriangulationMapper: what a frame asks for, and what became of it.
+#include "vtkMTRendererView.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkMultiTriangulationMapperInternals.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+// The renderer sets the estimate to 0 before the first pass.
+bool IsFirstPass(vtkActor* actor)
+{
+  return actor->GetEstimatedRenderTime() == 0.0;
+}
+
+// Lines and points are drawn from whatever side they are seen.
+bool ShowsOneSideOnly(vtkProperty* property)
+{
+  return property->GetBackfaceCulling() && property->GetRepresentation() == VTK_SURFACE &&
+    !property->GetVertexVisibility();
+}
+
+// Of two limits of which 0 is none.
+std::uint64_t GetLower(std::uint64_t a, std::uint64_t b)
+{
+  return a == 0 || b == 0 ? std::max(a, b) : std::min(a, b);
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationMapper::WaitsFor(vtkRenderer* renderer)
+{
+  constexpr double still = 0.01; // frames per second; interactors ask for 0.0001
+  return this->FreezeCut || this->WaitForConvergence == WAIT_ALWAYS ||
+    (this->WaitForConvergence == WAIT_WHEN_STILL && renderer->GetRenderWindow()->GetDesiredUpdateRate() < still);
+}
+
+//------------------------------------------------------------------------------
+// The passes of a selection must all see one cut, since what the first ones write is looked up after the last: none of
+// them begins a frame.
+void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& self = *this->Implementation;
+  if (IsFirstPass(actor))
+  {
+    // So the frame before is over, and what its passes took is known.
+    self.Rate.EndFrame(static_cast<std::uint64_t>(this->NumberOfTriangles));
+  }
+  self.Rate.SetGiven(this->DrawingRate);
+  self.Painter->Apply(self.Graph(), self.Plan,
+    [this](int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
+    { this->MapPatchScalars(array, patch, bytes); });
+
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  vtkMTFrame::Settings settings;
+  settings.Cut.PixelError = this->PixelError;
+  settings.Cut.TriangleLimit = GetLower(static_cast<std::uint64_t>(this->TriangleLimit),
+    self.Rate.GetTriangles(actor->GetAllocatedRenderTime(), self.Frame.GetNumberOfSourceTriangles()));
+  settings.Cut.ErrorMetric = this->ErrorMetric == EDGE_LENGTH ? vtkMTTargetCut::EdgeLength : vtkMTTargetCut::Distance;
+  settings.Cut.FrustumCulling = this->FrustumCulling;
+  // A frame that mirrors turns the triangles, and the cones that say what faces away are those of the lattice.
+  settings.Cut.FacingCulling =
+    this->FacingCulling && ShowsOneSideOnly(actor->GetProperty()) && !self.Placement.IsMirrored();
+  settings.Cut.Wait = this->WaitsFor(renderer);
+  settings.Cut.TimeLimit = this->CutTimeLimit;
+  settings.Cut.UploadBudget = static_cast<std::uint64_t>(this->UploadLimit);
+  settings.Cut.Prefetch = this->Prefetch;
+  settings.MoreFrames = window->GetInteractor() != nullptr;
+  settings.Freeze = this->FreezeCut;
+  settings.Advance = IsFirstPass(actor) && !renderer->GetSelector();
+  settings.PatchMemoryLimit = static_cast<std::size_t>(this->PatchMemoryLimit);
+  settings.GraphicsMemoryLimit = self.Painters.Share(window, static_cast<std::uint64_t>(this->GraphicsMemoryLimit));
+
+  const std::array<double, 16> modelToWorld = self.GetModelToWorld(actor);
+  self.Views = vtkMTRendererView::Make(renderer, modelToWorld);
+  self.Cut = &self.Frame.Update(self.GetKey(renderer, actor), self.Views, settings, *self.Painter);
+  const std::array<double, 6>& bounds = self.GetBounds(self.Frame.GetSource());
+  self.Origin = self.Graph().Lattice.Snap(vtkMTRendererView::GetNearest(renderer, modelToWorld, bounds).data());
+  this->TakeFigures();
+  for (const std::string& failure : self.Frame.TakeFailures())
+  {
+    vtkErrorMacro(<< failure);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::TakeFigures()
+{
+  const Internals& self = *this->Implementation;
+  this->NumberOfTriangles = static_cast<vtkIdType>(self.Cut->Triangles);
+  this->NumberOfPatches = static_cast<vtkIdType>(self.Cut->Arcs.size());
+  this->NumberOfCulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
+  this->NumberOfCulledTriangles = static_cast<vtkIdType>(self.Cut->TrianglesCulled);
+  this->NumberOfFacingAwayPatches = static_cast<vtkIdType>(self.Cut->ArcsFacingAway);
+  this->NumberOfFacingAwayTriangles = static_cast<vtkIdType>(self.Cut->TrianglesFacingAway);
+  this->NumberOfRefinedNodes = static_cast<vtkIdType>(self.Cut->NodesRefined);
+  this->Loading = !self.Cut->OnTarget;
+  this->AchievedPixelError = self.Cut->PixelError;
+  this->Converged = self.Cut->Converged;
+  this->CutTime = self.Frame.GetCutTime();
+}
