@@ -50,7 +50,8 @@ std::vector<vtkMTView> vtkMTRendererView::Make(vtkRenderer* renderer, const std:
     projection[3] = std::nearbyint((projection[3] - present * camera->GetDistance()) * 1e9) / 1e9;
   }
   const int* size = renderer->GetSize();
-  vtkMTView view = vtkMTView::FromProjection(modelToEye, projection, { size[0], size[1] }, camera->GetClippingRange());
+  vtkMTView view =
+    vtkMTView::FromProjection(modelToEye, projection.data(), { size[0], size[1] }, camera->GetClippingRange());
   if (shear == 0.0)
   {
     return { view };
