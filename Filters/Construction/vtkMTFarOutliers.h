@@ -14,7 +14,7 @@
  *    quarter.
  *
  * Gaps are looked at from the outside, and only until the lattice is fine enough. More than a few triangles beyond a
- * gap, but not more than half of all, are no slip of somebody's: then the input is refused, with what can be done. More
+ * gap, but not more than half of all, are no accident: then the input is refused, with what can be done. More
  * than half (small things scattered over a vast space) have no near side; they are built as they are, with a warning.
  *
  * Distances and lengths are counted by powers of two, so the result does not depend on the order of the triangles; the

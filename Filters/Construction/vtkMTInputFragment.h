@@ -5,7 +5,7 @@
  *
  * A fragment is made in two steps, as its orientation and the normals at its shared points depend on other fragments.
  * Make assembles the region's triangles and points, finds its connected parts and the terms of shared normals. Then
- * triangles are turned round and normals added. In between it is kept as bytes.
+ * triangles are reversed and normals added. In between it is kept as bytes.
  */
 #ifndef vtkMTInputFragment_h
 #define vtkMTInputFragment_h

@@ -3,7 +3,7 @@
  * @class vtkMTInputFragmentStep
  * @brief the fragments of mesh M_0, made of the input's triangles and points by region
  *
- * Make assembles every region's records, in parallel: all but what depends on other fragments. Finish turns round
+ * Make assembles every region's records, in parallel: all but what depends on other fragments. Finish reverses
  * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
  * (vtkMTSharedIds), and fills the state.
  */

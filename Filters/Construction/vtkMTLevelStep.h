@@ -3,8 +3,8 @@
  * @class vtkMTLevelStep
  * @brief what the two steps of a level have in common: settings, sink, state and how they fail
  *
- * One step puts patches in the place of fragments (vtkMTSplitStep), the other one fragments in the place of patches
- * (vtkMTSimplifyStep). The level loop takes turns.
+ * One step replaces fragments by patches (vtkMTSplitStep), the other one patches by fragments (vtkMTSimplifyStep).
+ * The level loop takes turns.
  */
 #ifndef vtkMTLevelStep_h
 #define vtkMTLevelStep_h

@@ -20,7 +20,7 @@ struct EdgeRecord
   std::uint16_t IsReversed;
 };
 
-// Triangles that hang together, and who of them agrees with whom.
+// Triangles that are connected, and which of them agree with each other.
 class ParityUnion
 {
 public:
@@ -33,7 +33,7 @@ public:
     std::iota(this->Parent.begin(), this->Parent.end(), 0u);
   }
 
-  // The smallest of the triangles that hang together with it; parity with respect to that one.
+  // The smallest of the triangles that are connected with it; parity with respect to that one.
   std::uint32_t Find(std::uint32_t x, bool& parity)
   {
     // Twice along the path: first to the root, then every parent is set to it.
@@ -169,7 +169,7 @@ vtkMTOrientation::vtkMTOrientation(vtkMTSpoolStore& store, std::size_t memory)
 {
 }
 
-// What becomes of triangles that hang together, with the figures of the report.
+// What becomes of triangles that are connected, with the figures of the report.
 std::uint32_t vtkMTOrientation::Count(const Component& component)
 {
   if (!component.IsOrientable)

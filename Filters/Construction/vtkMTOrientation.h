@@ -4,9 +4,9 @@
  * @brief finds the triangles that run the other way round than their neighbours
  *
  * Files mix windings; a simplifier that needs oriented manifolds finds a border at every edge that both of its
- * triangles run along in the same direction. Every part of the mesh that hangs together over edges of exactly two
+ * triangles run along in the same direction. Every part of the mesh that is connected over edges of exactly two
  * triangles is looked at as one. Where it holds such an edge and can be oriented, the smaller number of its triangles
- * is to be turned round (on a tie the first triangle stays). A part that cannot be oriented, such as a Moebius strip,
+ * is to be reversed (on a tie the first triangle stays). A part that cannot be oriented, such as a Moebius strip,
  * stays as it is. Edges with more than two triangles connect nothing.
  *
  * The mesh comes in fragments. Within a fragment, connected triangles are one component: a component knows which of its
@@ -28,7 +28,7 @@
 class VTKMTCONSTRUCTION_EXPORT vtkMTOrientation
 {
 public:
-  /// What is known of triangles that hang together.
+  /// What is known of triangles that are connected.
   struct Component
   {
     std::uint32_t First = 0; ///< the smallest of the triangles' numbers
@@ -68,7 +68,7 @@ public:
   bool Solve();
   ///@}
 
-  /// Whether a triangle is to be turned round, by its component and whether it disagrees with the component's first
+  /// Whether a triangle is to be reversed, by its component and whether it disagrees with the component's first
   /// triangle.
   bool IsReversed(std::uint32_t component, bool isTurned) const
   {

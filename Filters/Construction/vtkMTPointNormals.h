@@ -22,7 +22,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPointNormals
 
   ///@{
   /// The parts of it, for meshes in fragments: what a triangle adds at each of its corners (false when it is
-  /// degenerate), and the direction of a sum. A triangle turned round adds exactly the opposite.
+  /// degenerate), and the direction of a sum. A reversed triangle adds exactly the opposite.
   static bool GetTerms(const vtkMTPatch& mesh, std::size_t triangle, std::array<std::array<double, 3>, 3>& terms);
   static std::array<float, 3> GetDirection(const std::array<double, 3>& sum);
   ///@}

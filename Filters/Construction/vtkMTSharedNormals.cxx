@@ -47,7 +47,7 @@ void vtkMTSharedNormals::FindTerms(const vtkMTPatch& fragment, const std::vector
   }
   for (std::uint32_t point = 0; point < fragment.Ids.size(); ++point)
   {
-    // In the place of a component: the region that has the point.
+    // Instead of a component: the region that has the point.
     terms.push_back({ getKey(point, AllTriangles), region, 0, {} });
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTSimplifyStep
- * @brief puts fragments in the place of a level's patches
+ * @brief replaces a level's patches by fragments
  *
  * For every region of Psi_(i+1), in parallel: its patches are assembled as a floor, simplified and certified
  * (vtkMTRegionStep). The fragment goes to the spool of M_(i+1), and the region becomes a node.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTSplitStep
- * @brief puts patches in the place of a level's fragments: BMT section 4, the crossing of two partitions
+ * @brief replaces a level's fragments by patches: BMT section 4, the crossing of two partitions
  *
  * Places the regions of Psi_(i+1) by the barycentres of M_i and splits every fragment along them. Its parts are
  * patches: to the sink for the file, and to the spool of patches under their region, with the region's locks.

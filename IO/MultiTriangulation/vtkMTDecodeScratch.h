@@ -18,7 +18,7 @@ struct vtkMTDecodeScratch
 {
   bool IsKnown = false; ///< not where the geometry was raw
   vtkMTTriangleCodec::Decoded Mesh;
-  std::vector<std::uint32_t> WedgeOfStream; ///< the patch's wedge for each one in stream order
+  std::vector<std::uint32_t> WedgeOfStream; ///< the patch's wedge for each one in order of use
 
   std::vector<unsigned char> Stored; ///< sections as they are in the file
   std::vector<unsigned char> Bytes;  ///< the geometry's streams

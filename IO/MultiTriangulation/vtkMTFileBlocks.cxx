@@ -47,7 +47,7 @@ bool CheckVersion(const std::vector<unsigned char>& head, std::string& error)
   }
   else if (head.size() < 12)
   {
-    error = "it is cut off within its header";
+    error = "it is truncated within its header";
   }
   else if (version == 0)
   {
@@ -81,7 +81,7 @@ bool vtkMTFileBlocks::CheckHeader(const std::vector<unsigned char>& head, std::u
 {
   if (head.size() < sizeof(this->Header))
   {
-    error = "it is cut off within its header";
+    error = "it is truncated within its header";
     return false;
   }
   std::memcpy(&this->Header, head.data(), sizeof(this->Header));
@@ -101,7 +101,7 @@ bool vtkMTFileBlocks::CheckHeader(const std::vector<unsigned char>& head, std::u
   if (this->Header.FileSize != size)
   {
     error = "it has " + std::to_string(size) + " bytes and should have " + std::to_string(this->Header.FileSize) +
-      (size < this->Header.FileSize ? ": it is cut off" : ": something was added to it");
+      (size < this->Header.FileSize ? ": it is truncated" : ": something was added to it");
     return false;
   }
   this->Table.resize(this->Header.BlockCount);

@@ -33,7 +33,7 @@ public:
   vtkMTFileDagReader(const vtkMTByteSource& source, vtkMTGraph& graph, vtkMTFileTables& tables);
 
   /// Reads header and metadata, gives graph and tables their sizes, and reads on until the coarsest cut is known. False
-  /// with the reason in error, and so for ever, when the file is damaged or no Multi-Triangulation.
+  /// with the reason in error, and so in every later call, when the file is damaged or no Multi-Triangulation.
   bool Open(std::string& error);
 
   /// Reads until so many more bytes have been read, or all. At least one page, so that repeating it comes to an end.

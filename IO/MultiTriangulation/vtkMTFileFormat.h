@@ -168,7 +168,7 @@ struct PackedGeometryRecord
   std::uint8_t HasTable; // 1: wedges are not points
   std::uint8_t IsNear;   // 1: points are expected nearer to their gates than a parallelogram ends
   std::uint8_t Reserved;
-  std::uint32_t SideSize;       // bytes of the side stream, decoded
+  std::uint32_t SideSize;       // the side bytes, decoded
   std::uint32_t StoredSideSize; // stored
 };
 static_assert(

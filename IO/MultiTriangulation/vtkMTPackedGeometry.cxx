@@ -142,7 +142,7 @@ vtkMTPoint GetCorner(const std::vector<vtkMTPoint>& points)
 
 bool IsRecordRight(const Record& record, std::uint64_t size, std::string& error)
 {
-  // Eight triangles take a byte of the side stream at least, 64 points three.
+  // Eight triangles take one of the side bytes at least, 64 points three.
   const bool isPossible = record.Shift <= vtkMTPositionCodec::MaximumShift && record.HasTable <= 1 &&
     record.IsNear <= 1 && record.Reserved == 0 && (record.HasTable != 0 || record.Wedges == record.Points) &&
     record.SharedPoints <= record.Points && record.StoredSideSize <= size - sizeof(PackedGeometryRecord) &&
@@ -170,7 +170,7 @@ bool ReadIdentities(SideReader& side, const Record& record, vtkMTDecodeScratch& 
   return vtkMTIdCodec::Read(side, traversal.BorderOrder, record.Points, record.SharedPoints, traversal.Identities);
 }
 
-// bits: what follows the side stream.
+// bits: what follows the side bytes.
 bool ReadPositions(SideReader& side, const Record& record, const unsigned char* bits, std::size_t bitsSize,
   vtkMTDecodeScratch& traversal)
 {
@@ -194,7 +194,7 @@ bool ReadPositions(SideReader& side, const Record& record, const unsigned char* 
 }
 
 //------------------------------------------------------------------------------
-// From stream order to the patch. Shared points come first, then the others, both in stream order.
+// From order of use to the patch. Shared points come first, then the others, both in order of use.
 void PlacePoints(const Record& record, vtkMTDecodeScratch& traversal, vtkMTPatch& patch)
 {
   std::vector<unsigned char>& isShared = traversal.IsMarked;
@@ -210,7 +210,7 @@ void PlacePoints(const Record& record, vtkMTDecodeScratch& traversal, vtkMTPatch
   std::uint32_t shared = 0;
   for (std::uint32_t i = 0; i < record.Points; ++i)
   {
-    // Without a branch, as nobody can guess which way it goes.
+    // Without a branch, as which way it goes cannot be predicted.
     const std::uint32_t mask = 0u - isShared[i];
     const std::uint32_t to = (shared & mask) | ((record.SharedPoints + i - shared) & ~mask);
     shared += isShared[i];

@@ -2,10 +2,10 @@
 /**
  * The geometry section of a patch that is compressed. Not installed.
  *
- * A record, then the *side stream*, which LZ4 or zstd has made smaller, then the bits of the positions
- * (vtkMTPositionCodec), which nothing makes smaller. The side stream holds the triangles (vtkMTTriangleCodec), a bit
+ * A record, then the *side bytes*, which LZ4 or zstd has made smaller, then the bits of the positions
+ * (vtkMTPositionCodec), which nothing makes smaller. The side bytes hold the triangles (vtkMTTriangleCodec), a bit
  * per point that says whether it can be shared, the wedges' points, the identities, and what the positions need besides
- * their bits. Points and wedges are in stream order there (vtkMTPatchOrder).
+ * their bits. Points and wedges are in order of use there (vtkMTPatchOrder).
  */
 #ifndef vtkMTPackedGeometry_h
 #define vtkMTPackedGeometry_h

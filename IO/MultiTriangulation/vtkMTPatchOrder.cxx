@@ -50,13 +50,13 @@ public:
   std::vector<std::uint32_t> Order;  // which one is new number i
 };
 
-// Points and wedges in stream order, and their places in the stored patch, for triangles in some order.
+// Points and wedges in order of use, and their places in the stored patch, for triangles in some order.
 struct Numbering
 {
-  std::vector<vtkMTTriangle> Triangles;  // of wedges in stream order
-  std::vector<std::uint32_t> WedgeOrder; // the patch's wedge for each in stream order
+  std::vector<vtkMTTriangle> Triangles;  // of wedges in order of use
+  std::vector<std::uint32_t> WedgeOrder; // the patch's wedge for each in order of use
   std::vector<std::uint32_t> PointOrder;
-  std::vector<std::uint32_t> WedgePoints; // stream order of points
+  std::vector<std::uint32_t> WedgePoints; // order of use of points
   std::vector<std::uint32_t> PointPlace;
   std::vector<std::uint32_t> WedgePlace;
 
@@ -148,7 +148,7 @@ std::vector<std::uint32_t> vtkMTPatchOrder::PlacePoints(const std::vector<unsign
   std::uint32_t own = static_cast<std::uint32_t>(std::count(isShared.begin(), isShared.end(), 1));
   for (std::size_t i = 0; i < place.size(); ++i)
   {
-    // Without a branch, as nobody can guess which way it goes.
+    // Without a branch, as which way it goes cannot be predicted.
     const std::uint32_t one = isShared[i] ? 1 : 0;
     place[i] = one != 0 ? shared : own;
     shared += one;

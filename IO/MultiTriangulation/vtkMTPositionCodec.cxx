@@ -23,7 +23,7 @@ std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
 }
 
 // Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way,
-// as nobody can guess which.
+// as which it is cannot be predicted.
 struct Rounding
 {
   Wide Half;

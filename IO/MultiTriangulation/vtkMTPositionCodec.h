@@ -36,7 +36,7 @@ struct Packed
 /// x, y, z and a number that is not looked at: one register (an extension of GCC and Clang).
 using Wide __attribute__((vector_size(16))) = std::uint32_t;
 
-/// points in stream order; a basis of earlier points for each, as far as there are bases; without one a point is
+/// points in order of use; a basis of earlier points for each, as far as there are bases; without one a point is
 /// expected where the one before it is, the first one at the corner.
 Packed Encode(
   const std::vector<vtkMTPoint>& points, const std::vector<vtkMTTriangleCodec::Basis>& bases, const vtkMTPoint& corner);

@@ -8,11 +8,11 @@
  * triangle behind it. That is encoded by how its third vertex is found: it is new, it is the far end of the next gate
  * in the direction in which the front is followed, or of the one after that, or of the one before, or one that was met
  * earlier and is named; or there is none. Triangles are laid about one end of the gate until the next gate is joined,
- * then about its far end, and so on along the front. Two gates that run to and fro between the same vertices are done
- * with when they come to lie beside each other, so nothing has to be known of the front but the gates on both sides:
- * these are two stacks, and there are no links. When no gate is left, a triangle starts with three vertices that are
- * named. Vertices are numbered as they are met (the *stream order*), so nothing else has to be said, and every new
- * vertex comes with the triangle across its gate, from which its place can be expected.
+ * then about its far end, and so on along the front. Two gates that run back and forth between the same vertices are
+ * done with when they come to lie beside each other, so nothing has to be known of the front but the gates on both
+ * sides: these are two stacks, and there are no links. When no gate is left, a triangle starts with three vertices that
+ * are named. Vertices are numbered as they are met (the *order of use*), so nothing else has to be stored, and every
+ * new vertex comes with the triangle across its gate, from which its place can be expected.
  *
  * After a few joined gates the front turns, and goes back over what it has just laid. So it grows in narrow bands, and
  * the triangles, which are kept in this order, find most of their vertices in the GPU's vertex cache
@@ -32,7 +32,7 @@ namespace vtkMTTriangleCodec
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
-/// For a vertex in stream order, the gate at which it was met, its rear and its hinge, and the vertex across: its place
+/// For a vertex in order of use, the gate at which it was met, its rear and its hinge, and the vertex across: its place
 /// is expected at a + b - c. With c None it is at a alone; with a None too, nothing is known.
 struct Basis
 {
@@ -81,7 +81,7 @@ struct Workspace
   std::vector<std::uint32_t> BorderFrom;
 };
 
-/// Triangles in the order of their codes, of vertices in stream order. The vectors only grow from call to call; what
+/// Triangles in the order of their codes, of vertices in order of use. The vectors only grow from call to call; what
 /// counts is at their beginning.
 struct Decoded
 {

@@ -230,7 +230,7 @@ public:
   }
 
   // Split (after which the vertex is the rear) where all bits of the mask are set, join ahead (after which the vertex
-  // is the hinge) where none is: nobody can guess which, so both take the same steps. It is to be settled after that.
+  // is the hinge) where none is: unpredictable, so both take the same steps. It is to be settled after that.
   vtkMTInlined void Grow(std::uint32_t mask, std::uint32_t vertex, std::uint32_t triangle)
   {
     Gate* const behind = this->BehindSide.Last + 1; // just memory when this is a join
@@ -343,8 +343,8 @@ private:
     }
   }
 
-  // Two gates that go to and fro between the same vertices are behind each other: both are done with. here: the vertex
-  // at which what is left meets.
+  // Two gates that go back and forth between the same vertices are behind each other: both are done with. here: the
+  // vertex at which what is left meets.
   vtkMTInlined bool Meet(std::uint32_t& here)
   {
     if (this->AheadSide.IsOpenTo(this->Rear))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the views of a cut say about arcs, taken together: looked up once a frame for each arc that somebody asks for.
+// What the views of a cut say about arcs, taken together: looked up once a frame for each arc that is asked for.
 // Not installed.
 #ifndef vtkMTArcViews_h
 #define vtkMTArcViews_h
@@ -23,7 +23,7 @@ public:
   {
     bool Outside = false;      // of all frusta, and left out for that
     bool FacesAway = false;    // in all views, and left out for that
-    std::uint32_t Frame = 0;   // in which somebody looked last
+    std::uint32_t Frame = 0;   // in which it was looked up last
     double Wanted = NotWanted; // the error that refining the arc's node would remedy
     double Certified = 0.0;    // pixels
 

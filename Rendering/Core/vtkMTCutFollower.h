@@ -61,7 +61,7 @@ public:
     /// Whether patches around the cut are asked for when the frame has time left: the coarser ones on the way back, the
     /// next finer ones, and those just outside the frustum. Default on.
     bool Prefetch = true;
-    /// Whether to take everything for being there, because somebody will wait for what is not. Default off.
+    /// Whether to take everything for being there, because the frame will wait for what is not. Default off.
     bool Wait = false;
   };
 

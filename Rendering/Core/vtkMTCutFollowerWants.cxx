@@ -95,7 +95,7 @@ void vtkMTCutFollower::Worker::AddWants()
   {
     return;
   }
-  // Where nobody waits, the coarsest patches must be at hand at any time.
+  // Where frames do not wait, the coarsest patches must be resident at any time.
   const bool atHand = !this->Options.Wait || this->Options.Prefetch;
   this->ForLeaving(this->Graph.GetSource(),
     [&](std::uint32_t arc) {

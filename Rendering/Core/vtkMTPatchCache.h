@@ -8,9 +8,9 @@
  * loaded since, and Get gives what is there. None of these waits for anything that takes long. Request does: it returns
  * when everything that it asks for is there or known not to come, so that pictures and tests do not depend on timing.
  *
- * The limit is hard: what is kept, what is being loaded, and patches that have been dropped but that somebody still
- * holds are together never more, counted as vtkMTPatch::GetMemorySize does, with the stored bytes of what is being
- * loaded and what decoding it takes. To make room, the patch that is wanted least goes, among those that nobody wants
+ * The limit is hard: what is kept, what is being loaded, and patches that have been dropped but that are still in
+ * use are together never more, counted as vtkMTPatch::GetMemorySize does, with the stored bytes of what is being
+ * loaded and what decoding it takes. To make room, the patch that is wanted least goes, among those that no view wants
  * the one that has not been wanted longest; but never for one that is wanted less or as much, so two patches do not
  * push each other out in turn.
  *
@@ -95,7 +95,7 @@ public:
 
   /**
    * Waits until these patches are there, the first ones first, or cannot be had: they are damaged, or do not fit the
-   * limit together. What views want must be said again afterwards.
+   * limit together. What views want must be set again afterwards.
    */
   void Request(const std::vector<std::uint32_t>& arcs);
 

@@ -5,7 +5,7 @@
  *
  * The PatchServer thread of Cignoni et al., "Batched Multi Triangulation" (2005), section 5. The owner posts what it
  * wants, the most urgent first; each post replaces the one before, so what only a past view wanted is dropped unless it
- * is being read already. A loader thread takes the most urgent request that nobody works at, together with requests
+ * is being read already. A loader thread takes the most urgent request that no thread works at, together with requests
  * whose patches lie beside it in the store, reads them at once and decodes them one after the other; the owner takes
  * away what is done. All that is started is delivered, be it with an error, and nothing is delivered that was not
  * posted.

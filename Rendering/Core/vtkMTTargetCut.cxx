@@ -21,7 +21,7 @@ constexpr std::uint64_t HopelessOvershoot = 4;
 struct vtkMTTargetCut::Scratch
 {
   vtkMTArcViews Views;
-  std::vector<unsigned char> Marks; // nodes of the closure at hand; all zero between uses
+  std::vector<unsigned char> Marks; // nodes of the closure in question; all zero between uses
   std::vector<double> Wanted;       // per node, the error with which it was last put into the heap
   std::vector<std::uint32_t> TouchedNodes;
 
@@ -232,7 +232,7 @@ private:
     }
   }
 
-  /// Whether the closure at hand may be refined: enough budget, and all that it would draw is resident.
+  /// Whether this closure may be refined: enough budget, and all that it would draw is resident.
   bool IsFeasible(double error)
   {
     std::uint64_t triangles = this->Triangles;
@@ -329,7 +329,7 @@ private:
           this->Postponed.push_back(candidate);
         }
       }
-      // Somebody else may have refined what a postponed one was waiting for.
+      // Another closure may have refined what a postponed one was waiting for.
       if (this->Out.RefinedNodes.size() == refinedAtLastRetry || this->Postponed.empty())
       {
         this->ForgetRefined();

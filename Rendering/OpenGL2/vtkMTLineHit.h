@@ -28,10 +28,10 @@ struct vtkMTLineHit
   std::array<Place, 3> Triangle{}; ///< model units
   vtkIdType InputCell = 0;         ///< 0 where the model keeps no ids
 
-  /// A patch that is at hand, with whatever arrays, or null.
+  /// A patch that is in memory, with whatever arrays, or null.
   using Resident = std::function<std::shared_ptr<const vtkMTPatch>(std::uint32_t arc)>;
 
-  /// False when the line meets none of the arcs' patches. Patches that are not at hand are read, if the line meets
+  /// False when the line meets none of the arcs' patches. Patches that are not in memory are read, if the line meets
   /// their boxes; those that cannot be read are passed by, and error says which.
   bool Find(const vtkMTPatchSource& source, const std::vector<std::uint32_t>& arcs, const Place& begin,
     const Place& end, const Resident& resident, std::string& error);

@@ -11,7 +11,7 @@
 
 namespace
 {
-// The index binding belongs to whatever vertex array object is bound, so data goes through a target that nobody else
+// The index binding belongs to whatever vertex array object is bound, so data goes through a target that no other code
 // uses.
 constexpr GLenum Target = GL_COPY_WRITE_BUFFER;
 }
@@ -194,7 +194,7 @@ bool vtkMTPatchArena::DropOldest()
 
 // Moves slots down within their buffers, so that no more bytes are needed than there are. A slot that would move by a
 
-// small share of its size only stays, for its copy would be cut into many parts: source and target may not overlap.
+// small share of its size only stays, for its copy would be split into many parts: source and target may not overlap.
 
 void vtkMTPatchArena::Drop(std::uint32_t arc)
 {

@@ -78,7 +78,7 @@ public:
   ///@{
   /**
    * Streams are known by a number. Declare makes a stream, or makes an old one stale when the format or the revision is
-   * another than before; vertex streams are named for the shader's attribute. Revisions begin at 1. Remove frees its
+   * another than before; those of vertices are named for the shader's attribute. Revisions begin at 1. Remove frees its
    * memory.
    */
   int Declare(const std::string& attribute, const Format& format, std::uint64_t revision);
@@ -117,7 +117,7 @@ public:
 
   std::uint64_t GetVertexCapacity() const { return this->VertexSpace.GetCapacity(); }
   std::uint64_t GetTriangleCapacity() const { return this->TriangleSpace.GetCapacity(); }
-  /// Of all buffers, now and at most so far, the latter with what SetBytesElsewhere said.
+  /// Of all buffers, now and at most so far, the latter with what SetBytesElsewhere gave.
   std::uint64_t GetBytes() const { return this->Bytes; }
   std::uint64_t GetMostBytes() const { return this->MostBytes; }
   /// Bytes of other arenas that share a limit with this one.

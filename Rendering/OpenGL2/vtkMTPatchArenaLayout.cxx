@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::uint64_t SmallestCapacity = 4096;
 
-// The index binding belongs to whatever vertex array object is bound, so data goes through a target that nobody else
+// The index binding belongs to whatever vertex array object is bound, so data goes through a target that no other code
 // uses.
 constexpr GLenum Target = GL_COPY_WRITE_BUFFER;
 

@@ -52,7 +52,7 @@ void vtkMTTrianglePainter::Begin(
       this->Arena.Touch(arc);
     }
   };
-  // The order in which room is made: what nobody draws goes first, then what others draw.
+  // The order in which room is made: what no renderer draws goes first, then what others draw.
   touch(kept);
   touch(drawn);
   this->Arena.SetLimit(limit);

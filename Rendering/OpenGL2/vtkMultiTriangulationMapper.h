@@ -114,7 +114,7 @@ public:
   /**
    * Whether patches around the cut are loaded when there is nothing more urgent: coarser ones, finer ones and those
    * just outside the view. Default on. Only in windows that have an interactor, or in frames that do not wait:
-   * otherwise nobody will move the camera while they come.
+   * otherwise the camera does not move while they come.
    */
   vtkSetMacro(Prefetch, bool);
   vtkGetMacro(Prefetch, bool);

@@ -3,16 +3,14 @@
 """Holds the language of comments, documents and messages to the terms of the field, Markdown to 120 columns, and its
 links to files that are there.
 
-usage: check_language.py SOURCE_DIRECTORY [--all]
+usage: check_language.py SOURCE_DIRECTORY
 
 Of sources, comments and string literals are looked at; of Markdown, all but code. WORDS has what must not be written and
-what to write instead, ALLOWED where a word is right, LATER the folders and files that are not looked at yet. With --all
-these are looked at too, and the hits of each folder are counted. Exit code 0, or 1 and one line per hit.
+what to write instead, ALLOWED where a word is right. Exit code 0, or 1 and one line per hit.
 """
 import re
 import subprocess
 import sys
-from collections import Counter
 from pathlib import Path
 
 import wrap_markdown
@@ -59,10 +57,6 @@ ALLOWED = (
 )
 # VTK's XML files have pieces by name; a link may have a name that was given before.
 RIGHT = re.compile(r"VTP(\s+files?)?\s+of[\s*]+(one|several)\s+pieces?|<Piece|</Piece|\]\([^)]*\)|`[^`]*`")
-# Not looked at yet: to be taken out one by one.
-LATER = (
-    "Filters/Construction/", "IO/MultiTriangulation/", "Rendering/", "Documentation/threads.md",
-)
 # The lists of words themselves.
 EXEMPT = ("Testing/Format/check_language.py", "Testing/Format/test_check_language.py")
 CPP = (".h", ".hxx", ".cxx", ".cpp", ".glsl", ".in")
@@ -137,12 +131,11 @@ def list_files(root):
     return sorted(name for name in listed if not name.startswith("build") and (root / name).is_file())
 
 
-def check(root, everything=False):
-    """All hits as lines of text, hits by folder, and the number of files that were looked at."""
-    violations, by_folder, files = [], Counter(), 0
+def check(root):
+    """All hits as lines of text, and the number of files that were looked at."""
+    violations, files = [], 0
     for name in list_files(root):
-        is_later = any(name.startswith(later) for later in LATER)
-        if name in EXEMPT or (is_later and not everything):
+        if name in EXEMPT:
             continue
         try:
             content = (root / name).read_text(encoding="utf-8")
@@ -153,21 +146,16 @@ def check(root, everything=False):
             violations.append(f"{name}:{line}: there is no {link}")
         for line, words, instead in check_file(name, content):
             violations.append(f"{name}:{line}: \"{' '.join(words.split())}\"; write: {instead}")
-            by_folder["/".join(name.split("/")[:2]) if is_later else name.split("/", 1)[0]] += 1
-    return violations, by_folder, files
+    return violations, files
 
 
 def main(arguments):
-    everything = "--all" in arguments
-    arguments = [argument for argument in arguments if argument != "--all"]
     if len(arguments) != 1:
         print(__doc__, file=sys.stderr)
         return 2
-    violations, by_folder, files = check(Path(arguments[0]), everything)
+    violations, files = check(Path(arguments[0]))
     for violation in violations:
         print(violation)
-    for folder, count in sorted(by_folder.items()) if everything else ():
-        print(f"{count:5} {folder}")
     print(f"{files} files, {len(violations)} hits")
     return 1 if violations or not files else 0
 

@@ -74,16 +74,6 @@ class PlantedWords(unittest.TestCase):
                 "[this](README.md#top) [that](https://example.org/x) `[code](x.md)`\n\n[gone](gone.md)\n", encoding="utf-8")
             self.assertEqual(check_language.check(root)[0], ["README.md:3: there is no gone.md"])
 
-    def test_folders_for_later_are_looked_at_on_demand(self):
-        with tempfile.TemporaryDirectory() as folder:
-            root = Path(folder)
-            for name in ("README.md", *(later + ("a.h" if later.endswith("/") else "h") for later in check_language.LATER)):
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text("// as said\n" if name.endswith("h") else "x\n", encoding="utf-8")
-            self.assertEqual(check_language.main([folder]), 0)
-            if check_language.LATER:
-                self.assertEqual(check_language.main([folder, "--all"]), 1)
-
 
 if __name__ == "__main__":
     unittest.main()
