@@ -83,7 +83,7 @@ TEST(Placement, FrameDrawsWhatAnActorsMatrixDraws)
     std::cout << difference << "\n";
     EXPECT_GT(difference.Drawn, 5000u);
     EXPECT_LE(difference.Largest, MTDifference::Slight);
-    EXPECT_EQ(mapper->GetTriangles(), plain->GetTriangles());
+    EXPECT_EQ(mapper->GetNumberOfTriangles(), plain->GetNumberOfTriangles());
     EXPECT_NEAR(mapper->GetAchievedPixelError(), plain->GetAchievedPixelError(), 1e-9);
 
     vtkNew<vtkPlane> clip;
