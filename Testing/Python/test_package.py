@@ -97,7 +97,9 @@ class Package(unittest.TestCase):
         self.assertGreater(section.GetOutput().GetNumberOfLines(), 20)
         bounds = [0.0] * 6
         moved.GetOutput().GetModelBounds(bounds)
-        self.assertAlmostEqual(bounds[0], 9.5, 2)
+        # They hold every cut, and coarse ones pass the sphere by as much as their error.
+        self.assertLess(bounds[0], 9.501)
+        self.assertGreater(bounds[0], 9.45)
 
     def test_every_concrete_class_prints_itself(self):
         for name in multitriangulation.__all__:
