@@ -87,8 +87,8 @@ TEST(PatchSplitter, AssemblingThePartsGivesTheFragmentBack)
     for (const auto& part : split.Parts)
     {
       EXPECT_TRUE(vtkMTValidate::Mesh(part.Patch, arrays).IsValid());
-      EXPECT_EQ(part.Patch.Triangles.size(),
-        static_cast<std::size_t>(std::count(regions.begin(), regions.end(), part.Region)));
+      EXPECT_EQ(
+        part.Patch.Triangles.size(), static_cast<std::size_t>(std::count(regions.begin(), regions.end(), part.Region)));
       triangles += part.Patch.Triangles.size();
       ASSERT_TRUE(assembler.Add(part.Patch)) << assembler.GetError();
     }
