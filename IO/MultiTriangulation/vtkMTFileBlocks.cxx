@@ -60,6 +60,16 @@ bool CheckVersion(const std::vector<unsigned char>& head, std::string& error)
   }
   return error.empty();
 }
+
+// An impossible header may leave none to copy, and then there is no address either.
+template <class Record>
+void CopyRecords(const unsigned char* bytes, std::vector<Record>& records)
+{
+  if (!records.empty())
+  {
+    std::memcpy(static_cast<void*>(records.data()), bytes, records.size() * sizeof(Record));
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -105,8 +115,7 @@ bool vtkMTFileBlocks::CheckHeader(const std::vector<unsigned char>& head, std::u
     return false;
   }
   this->Table.resize(this->Header.BlockCount);
-  std::memcpy(static_cast<void*>(this->Table.data()), head.data() + sizeof(this->Header),
-    this->Table.size() * sizeof(BlockRecord));
+  CopyRecords(head.data() + sizeof(this->Header), this->Table);
   return true;
 }
 
@@ -160,7 +169,7 @@ bool vtkMTFileBlocks::ReadPageChecksums(
     return false;
   }
   this->PageChecksums.resize(static_cast<std::size_t>(this->Get(PageBlock).Size / sizeof(std::uint64_t)));
-  std::memcpy(this->PageChecksums.data(), block.data(), this->PageChecksums.size() * sizeof(std::uint64_t));
+  CopyRecords(block.data(), this->PageChecksums);
   return true;
 }
 
