@@ -269,9 +269,10 @@ vtkMTimeType vtkMultiTriangulation::GetMTime()
   {
     auto& all = this->TrivialProducers;
     all.erase(std::remove(all.begin(), all.end(), nullptr), all.end());
-    for (std::size_t i = 0; i < all.size(); ++i)
+    const auto producers = all; // a warning may bring more of them
+    for (const vtkWeakPointer<vtkAlgorithm>& producer : producers)
     {
-      this->WarnOfConsumers(all[i], 0);
+      this->WarnOfConsumers(producer, 0);
     }
   }
   return this->Superclass::GetMTime();
