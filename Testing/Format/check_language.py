@@ -40,7 +40,6 @@ WORDS = (
     (r"\b(turn|turns|turned|turning) round\b", "reverse"),
     (r"\bneeds not\b", "does not need to"),
     (r"\bin the place of\b", "instead of"),
-    (r"\b(sessions?|agents?)\b", "nothing: the project speaks of itself alone"),
 )
 # (pattern of WORDS, beginning of the path): the word is right there.
 ALLOWED = (

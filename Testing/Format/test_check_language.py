@@ -20,7 +20,7 @@ class PlantedWords(unittest.TestCase):
             "patches at hand", "it puts the fragments together", "parts that hang together", "the classes of floor 0",
             "before cutting it", "the file is cut here", "cut along a curve", "it cuts the mesh", "programs read, cut and draw",
             "a side stream", "in stream order", "a piece of the file", "the same count, give or take one", "it goes on for ever",
-            "it runs to and fro", "turned round", "it needs not wait", "in the place of a number", "in this session",
+            "it runs to and fro", "turned round", "it needs not wait", "in the place of a number",
         )
         self.assertEqual(len(planted), len(check_language.WORDS))
         for (pattern, _), text in zip(check_language.WORDS, planted):
