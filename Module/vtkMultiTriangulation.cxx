@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulation.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkExecutive.h"
 #include "vtkInformation.h"
-#include "vtkInformationExecutivePortVectorKey.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMTArrayInfo.h"
 #include "vtkMTCut.h"
@@ -15,37 +11,12 @@
 #include "vtkMTPlacement.h"
 #include "vtkObjectFactory.h"
 #include "vtkPoints.h"
-#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkMultiTriangulation);
-vtkInformationKeyMacro(vtkMultiTriangulation, USES_PATCHES, Integer);
-
-namespace
-{
-//------------------------------------------------------------------------------
-// The first consumer of an output port that makes something of what it takes and does not know of patches, or null.
-vtkAlgorithm* FindUnawareConsumer(vtkAlgorithm* producer, int port)
-{
-  vtkInformation* info = producer->GetOutputInformation(port);
-  const int count = info ? vtkExecutive::CONSUMERS()->Length(info) : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    vtkExecutive* executive = vtkExecutive::CONSUMERS()->GetExecutives(info)[i];
-    vtkAlgorithm* consumer = executive ? executive->GetAlgorithm() : nullptr;
-    vtkInformation* input =
-      consumer ? consumer->GetInputPortInformation(vtkExecutive::CONSUMERS()->GetPorts(info)[i]) : nullptr;
-    if (input && consumer->GetNumberOfOutputPorts() > 0 && !input->Has(vtkMultiTriangulation::USES_PATCHES()))
-    {
-      return consumer;
-    }
-  }
-  return nullptr;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkMultiTriangulation::vtkMultiTriangulation()
@@ -75,7 +46,6 @@ void vtkMultiTriangulation::CopySource(vtkDataObject* from)
   this->Source = other ? other->GetSource() : nullptr;
   this->SourcePoints = this->Source ? this->Points : nullptr;
   this->Frame = this->Source ? other->Frame : vtkMTPlacement().Matrix;
-  this->CutIsChosen = this->Source && other->CutIsChosen;
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +85,6 @@ void vtkMultiTriangulation::Initialize()
   this->Source.reset();
   this->SourcePoints = nullptr;
   this->Frame = vtkMTPlacement().Matrix;
-  this->CutIsChosen = false;
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +124,6 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
   this->Frame = placement.Matrix;
   this->Source = std::move(source);
   this->SourcePoints = this->Points;
-  this->CutIsChosen = isChosen;
   return true;
 }
 
@@ -250,51 +218,6 @@ bool vtkMultiTriangulation::GetArrayRange(const char* name, int association, int
   range[0] = least;
   range[1] = largest;
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulation::RegisterInternal(vtkObjectBase* owner, vtkTypeBool check)
-{
-  if (auto* producer = vtkTrivialProducer::SafeDownCast(owner))
-  {
-    this->TrivialProducers.emplace_back(producer);
-  }
-  this->Superclass::RegisterInternal(owner, check);
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkMultiTriangulation::GetMTime()
-{
-  if (!this->TrivialProducers.empty())
-  {
-    auto& all = this->TrivialProducers;
-    all.erase(std::remove(all.begin(), all.end(), nullptr), all.end());
-    const auto producers = all; // a warning may bring more of them
-    for (const vtkWeakPointer<vtkAlgorithm>& producer : producers)
-    {
-      this->WarnOfConsumers(producer, 0);
-    }
-  }
-  return this->Superclass::GetMTime();
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulation::WarnOfConsumers(vtkAlgorithm* producer, int port)
-{
-  if (this->HasWarned || this->CutIsChosen || !this->GetSource() ||
-    this->GetNumberOfFinestTriangles() == this->GetNumberOfPolys())
-  {
-    return;
-  }
-  if (vtkAlgorithm* consumer = FindUnawareConsumer(producer, port))
-  {
-    this->HasWarned = true;
-    vtkWarningMacro(<< consumer->GetClassName() << " knows nothing of Multi-Triangulations and gets the coarsest cut, "
-                    << this->GetNumberOfPolys() << " of " << this->GetNumberOfFinestTriangles()
-                    << " triangles. Put a vtkMultiTriangulationCutFilter before it, which gives any other cut, or let "
-                       "SetOutputError of vtkMultiTriangulationReader choose what such filters get. (There is one such "
-                       "warning for each object.)");
-  }
 }
 
 //------------------------------------------------------------------------------

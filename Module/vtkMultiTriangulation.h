@@ -11,9 +11,8 @@
  *
  * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it. A filter that does not know
  * this class works on the points and cells, which are those of the coarsest cut unless SetSource was asked for a finer
- * one. It does so silently nowhere: the first time that such a filter is found behind this object, a warning names it
- * and what to do about it (vtkMultiTriangulationCutFilter). Filters that use the patches say so by the key USES_PATCHES
- * on their input port. Mappers and writers, which have no output, are not warned of.
+ * one (SetOutputError of vtkMultiTriangulationReader); a vtkMultiTriangulationCutFilter before it gives it any other
+ * cut.
  *
  * Placement: the patches lie on the lattice and stay there. The object has an affine map from the lattice's coordinates
  * to its own, the frame: that of the model, the identity where it has none, and what ApplyTransform adds. Points and
@@ -26,16 +25,12 @@
 #include "vtkMTCoreModule.h" // For export macro
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkWeakPointer.h"
 
 #include <array>
 #include <limits>
 #include <memory>
 #include <string>
-#include <vector>
 
-class vtkAlgorithm;
-class vtkInformationIntegerKey;
 class vtkMTCut;
 class vtkMTPatchSource;
 
@@ -50,21 +45,6 @@ public:
   void DeepCopy(vtkDataObject* source) override;
   void CopyStructure(vtkDataSet* source) override;
   void Initialize() override;
-  /// Looks, on the way, at who takes the object from a vtkTrivialProducer (SetInputData), and warns as described above.
-  vtkMTimeType GetMTime() override;
-
-  /**
-   * A filter that makes use of the patches sets this key to 1 on its input port, in FillInputPortInformation: it is not
-   * warned of.
-   */
-  static vtkInformationIntegerKey* USES_PATCHES();
-
-  /**
-   * For algorithms that have a vtkMultiTriangulation on an output port, in RequestData and ComputePipelineMTime: warns
-   * of consumers of that port as described above. At most one warning in the life of this object, and none where
-   * SetSource was given an error.
-   */
-  void WarnOfConsumers(vtkAlgorithm* producer, int port);
 
 #ifndef __VTK_WRAP__ // Python has no patch source
   ///@{
@@ -140,8 +120,6 @@ protected:
   vtkMultiTriangulation();
   ~vtkMultiTriangulation() override;
 
-  void RegisterInternal(vtkObjectBase* owner, vtkTypeBool check) override;
-
 private:
   vtkMultiTriangulation(const vtkMultiTriangulation&) = delete;
   void operator=(const vtkMultiTriangulation&) = delete;
@@ -151,9 +129,6 @@ private:
   std::shared_ptr<const vtkMTPatchSource> Source;
   vtkSmartPointer<vtkPoints> SourcePoints; // those which the handle belongs to
   std::array<double, 16> Frame;
-  bool CutIsChosen = false; // the points and cells are a cut that was asked for
-  bool HasWarned = false;
-  std::vector<vtkWeakPointer<vtkAlgorithm>> TrivialProducers;
 };
 
 #endif

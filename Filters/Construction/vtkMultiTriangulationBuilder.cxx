@@ -308,18 +308,7 @@ int vtkMultiTriangulationBuilder::RequestData(
     return 0;
   }
   const bool filled = output->SetSource(store);
-  output->WarnOfConsumers(this, 0);
   return filled ? 1 : 0;
-}
-
-int vtkMultiTriangulationBuilder::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
-{
-  if (vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector))
-  {
-    output->WarnOfConsumers(this, 0);
-  }
-  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)

@@ -244,7 +244,6 @@ vtkMTimeType vtkMultiTriangulationCutFilter::GetMTime()
 int vtkMultiTriangulationCutFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
-  info->Set(vtkMultiTriangulation::USES_PATCHES(), 1);
   return 1;
 }
 

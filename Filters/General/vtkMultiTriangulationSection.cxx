@@ -139,7 +139,6 @@ vtkMTimeType vtkMultiTriangulationSection::GetMTime()
 int vtkMultiTriangulationSection::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
-  info->Set(vtkMultiTriangulation::USES_PATCHES(), 1);
   return 1;
 }
 

@@ -61,7 +61,6 @@ vtkMTimeType vtkMultiTriangulationTransform::GetMTime()
 int vtkMultiTriangulationTransform::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
-  info->Set(vtkMultiTriangulation::USES_PATCHES(), 1);
   return 1;
 }
 
@@ -86,17 +85,6 @@ vtkTypeBool vtkMultiTriangulationTransform::ProcessRequest(
     return 1;
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkMultiTriangulationTransform::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
-{
-  if (vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector))
-  {
-    output->WarnOfConsumers(this, 0);
-  }
-  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 //------------------------------------------------------------------------------
@@ -125,6 +113,5 @@ int vtkMultiTriangulationTransform::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
-  output->WarnOfConsumers(this, 0);
   return 1;
 }

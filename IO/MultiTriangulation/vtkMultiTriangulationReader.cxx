@@ -53,16 +53,6 @@ void vtkMultiTriangulationReader::SetOutputError(double error)
   }
 }
 
-int vtkMultiTriangulationReader::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
-{
-  if (vtkMultiTriangulation* output = vtkMultiTriangulation::GetData(outputVector))
-  {
-    output->WarnOfConsumers(this, 0);
-  }
-  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
-}
-
 int vtkMultiTriangulationReader::CanReadFile(const char* fileName)
 {
   return fileName && vtkMTFileSource::CanRead(fileName) ? 1 : 0;
@@ -134,6 +124,5 @@ int vtkMultiTriangulationReader::RequestData(
     vtkErrorMacro(<< this->FileName << ": the coarsest patches cannot be read");
     return 0;
   }
-  output->WarnOfConsumers(this, 0);
   return 1;
 }

@@ -48,9 +48,6 @@ public:
 
   vtkMultiTriangulation* GetOutput();
 
-  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
-
 protected:
   vtkMultiTriangulationReader();
   ~vtkMultiTriangulationReader() override;
