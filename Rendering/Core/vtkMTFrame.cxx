@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 vtkMTUploader::~vtkMTUploader() = default;
@@ -69,6 +70,7 @@ void vtkMTFrame::Begin(Renderer& renderer, const Settings& settings)
 {
   renderer.Uploader = this->Uploader;
   this->LessTriangles = 0;
+  this->CoarsestOnly = false;
   this->Cache->SetArrays(this->Uploader->GetArrays());
   const vtkMTGraph& graph = this->GetGraph();
   const vtkMTNode& source = graph.Nodes[graph.GetSource()];
@@ -124,6 +126,11 @@ vtkMTCutFollower::Settings vtkMTFrame::GetCutSettings(const Settings& settings) 
     result.TriangleLimit = this->LessTriangles;
   }
   result.Wait = this->Wait;
+  if (this->CoarsestOnly)
+  {
+    result.PixelError = std::numeric_limits<double>::infinity();
+    result.TimeLimit = 0.0;
+  }
   if (this->Wait)
   {
     result.TimeLimit = 0.0;
@@ -278,16 +285,18 @@ bool vtkMTFrame::IsUploaded() const
 }
 
 // The patches of the cut leave more gaps on the GPU than the limit on bytes allows for. The second time with fewer of
-// them; the first time the gaps may have been closed by dropping everything. False where there is no smaller cut.
+// them; the first time the gaps may have been closed by dropping everything. Cuts that a limit does not make small
+// enough, because the coarsest one has more triangles, give way to that one, which always has room. False where it is
+// the one that is drawn.
 bool vtkMTFrame::DrawLess()
 {
-  const std::uint64_t now = std::max<std::uint64_t>(this->Cut->Triangles, 2);
-  const std::uint64_t less = this->LessTriangles == 0 ? now : now - std::max<std::uint64_t>(now / 8, 1);
-  if (this->Cut->NodesRefined == 0 || less == this->LessTriangles)
+  if (this->Cut->NodesRefined == 0 || this->CoarsestOnly)
   {
     return false;
   }
-  this->LessTriangles = less;
+  const std::uint64_t now = std::max<std::uint64_t>(this->Cut->Triangles, 2);
+  this->CoarsestOnly = this->LessTriangles > 0 && now > this->LessTriangles;
+  this->LessTriangles = this->LessTriangles == 0 ? now : now - std::max<std::uint64_t>(now / 8, 1);
   return true;
 }
 

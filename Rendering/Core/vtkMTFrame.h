@@ -155,6 +155,7 @@ private:
   vtkMTRendererCuts::ResultPointer Cut;
   std::uint64_t Limit = 0;         // bytes on the GPU
   std::uint64_t LessTriangles = 0; // a limit for the next cut: the last one had no room on the GPU
+  bool CoarsestOnly = false;       // nothing else has room
 };
 
 #endif

@@ -310,6 +310,37 @@ TEST_F(Frame, LimitsOfMemoryAreHardAlongAFlight)
   }
 }
 
+// Seen from near, a finer cut may draw fewer triangles than the coarsest one, so that a limit on them does not end
+// there.
+TEST_F(Frame, WithRoomForTheCoarsestPatchesOnlyAllThatItDrawsIsThere)
+{
+  std::uint64_t coarsest = 0;
+  for (std::uint32_t arc = 0; arc < this->Graph().Nodes[0].OutCount; ++arc)
+  {
+    coarsest += CountingUploader(this->Graph()).GetBytesOf(arc);
+  }
+  for (const bool wait : { true, false })
+  {
+    vtkMTFrame frame;
+    frame.SetSource(this->Source, vtkMTPatchLoader::Settings());
+    CountingUploader uploader(this->Graph());
+    uploader.Gaps = 1.0;
+    this->Settings.Cut.Wait = wait;
+    for (int step = 0; step <= 40; ++step)
+    {
+      const auto& result = frame.Update(&this->Keys[0], this->Look(step / 40.0, 0.4), this->Settings, uploader);
+      EXPECT_LE(uploader.Bytes, coarsest);
+      EXPECT_FALSE(result.Arcs.empty());
+      for (const std::uint32_t arc : result.Arcs)
+      {
+        EXPECT_TRUE(uploader.IsUploaded(arc));
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1)); // what is asked for comes meanwhile
+    }
+    EXPECT_GT(frame.GetCache()->GetNumberOfPatches(), this->Graph().Nodes[0].OutCount);
+  }
+}
+
 TEST_F(Frame, ThatDoesNotWaitUploadsNoMoreThanItsBudget)
 {
   CountingUploader uploader(this->Graph());
