@@ -238,7 +238,8 @@ void vtkMultiTriangulationMapper::UpdateCellTextures(vtkRenderer* renderer)
     self.Painter->GetArena().GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
   const auto update = [&](vtkTextureObject*& texture, const char* stream, int type)
   {
-    vtkOpenGLBufferObject* buffer = self.Painter->GetArena().GetBuffer(stream);
+    vtkOpenGLBufferObject* buffer =
+      self.Painter->GetArena().GetBuffer(vtkMTPatchStreams::GetCellStream(stream, self.Plan));
     if (!buffer || buffer->GetHandle() == 0)
     {
       return false;
