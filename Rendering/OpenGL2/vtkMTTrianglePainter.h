@@ -4,8 +4,8 @@
  * @brief triangle patches on one window's GPU: a vtkMTUploader, and draw calls
  *
  * Patches are in a vtkMTPatchArena, with the data that a plan says (vtkMTPatchStreams); a plan that differs from its
- * user's one before makes what changed stale, and nothing else. Draws are of the arcs of a cut, all patches in one call where
- * nothing differs between them.
+ * user's one before makes what changed stale, and nothing else. Draws are of the arcs of a cut, all patches in one call
+ * where nothing differs between them.
  *
  * All methods but the constructor need the OpenGL context of the window, current.
  */
@@ -28,8 +28,8 @@ class vtkShaderProgram;
 class vtkMTTrianglePainter : public vtkMTUploader
 {
 public:
-  /// What is drawn from now on, and for whom: see vtkMTPatchStreams. The graph must live as long as it is drawn; another
-  /// one needs Clear before.
+  /// What is drawn from now on, and for whom: see vtkMTPatchStreams. The graph must live as long as it is drawn;
+  /// another one needs Clear before.
   void Apply(const vtkMTGraph& graph, const vtkMTPatchStreams::Plan& plan, const void* user,
     const vtkMTPatchStreams::Mapping& mapping);
   /// Drops all patches.

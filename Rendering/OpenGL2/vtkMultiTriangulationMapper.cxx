@@ -69,6 +69,11 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLoaderThreads: " << this->NumberOfLoaderThreads << "\n";
   os << indent << "FreezeCut: " << this->FreezeCut << "\n";
   os << indent << "ColorBy: " << this->ColorBy << "\n";
+  const double* low = this->ElevationLowPoint;
+  const double* high = this->ElevationHighPoint;
+  os << indent << "ElevationLowPoint: " << low[0] << ", " << low[1] << ", " << low[2] << "\n";
+  os << indent << "ElevationHighPoint: " << high[0] << ", " << high[1] << ", " << high[2] << "\n";
+  os << indent << "ElevationRange: " << this->ElevationRange[0] << ", " << this->ElevationRange[1] << "\n";
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
   os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
   os << indent << "DrawingRate: " << this->DrawingRate << "\n";
@@ -104,6 +109,9 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetNumberOfLoaderThreads(other->GetNumberOfLoaderThreads());
     this->SetFreezeCut(other->GetFreezeCut());
     this->SetColorBy(other->GetColorBy());
+    std::copy_n(other->ElevationLowPoint, 3, this->ElevationLowPoint);
+    std::copy_n(other->ElevationHighPoint, 3, this->ElevationHighPoint);
+    std::copy_n(other->ElevationRange, 2, this->ElevationRange);
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
     this->SetGraphicsMemoryLimit(other->GetGraphicsMemoryLimit());
     this->SetDrawingRate(other->GetDrawingRate());
@@ -160,12 +168,6 @@ void vtkMultiTriangulationMapper::ComputeBounds()
     return;
   }
   this->Superclass::ComputeBounds();
-}
-
-//------------------------------------------------------------------------------
-bool vtkMultiTriangulationMapper::HasTranslucentPolygonalGeometry()
-{
-  return !(this->ColorBy != NONE && this->HasPatches()) && this->Superclass::HasTranslucentPolygonalGeometry();
 }
 
 //------------------------------------------------------------------------------
@@ -280,6 +282,10 @@ void vtkMultiTriangulationMapper::FollowInput()
     self.Painters.Clear();
     self.ColorState.Clear();
   }
+  if (!model)
+  {
+    this->WarnOfCoarsestCut();
+  }
   if (self.DrewPatches != (source != nullptr))
   {
     self.DrewPatches = source != nullptr;
@@ -383,6 +389,7 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
   plan.Edges = representation == VTK_WIREFRAME;
   plan.PrimitivesPerTriangle = representation == VTK_SURFACE ? 1 : 3;
   const std::vector<vtkMTArc>& arcs = this->Implementation->Graph().Arcs;
+  this->WarnOfForeignArrays();
   plan.ShortIndices = std::all_of(arcs.begin(), arcs.end(), [](const vtkMTArc& arc) { return arc.Wedges <= 65536; });
   this->PlanColors();
   this->PlanAttributes(actor);

@@ -1,96 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMultiTriangulationMapper: which data the shader needs, and how scalars become colours.
+// vtkMultiTriangulationMapper: which data the shader needs.
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkMTPatchAttributes.h"
+#include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLTexture.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
+#include <string>
 
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::ForgetColors()
+namespace
 {
-  if (this->Colors)
+// Whether a filter that does not know models has one before it. The toolkit's own say what they give.
+bool ComesFromAModel(vtkAlgorithm* filter)
+{
+  const char* const own = "vtkMultiTriangulation";
+  if (!filter || std::strncmp(filter->GetClassName(), own, std::strlen(own)) == 0)
   {
-    this->Colors->UnRegister(this);
-    this->Colors = nullptr;
+    return false;
   }
-  if (this->ColorCoordinates)
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
-    this->ColorCoordinates->UnRegister(this);
-    this->ColorCoordinates = nullptr;
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      auto* model = vtkMultiTriangulation::SafeDownCast(filter->GetInputDataObject(port, i));
+      if ((model && model->GetSource()) || ComesFromAModel(filter->GetInputAlgorithm(port, i)))
+      {
+        return true;
+      }
+    }
   }
+  return false;
+}
 }
 
 //------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::PlanColors()
+// A filter that does not know the model has added them to its coarsest cut, and finer patches have no such values.
+void vtkMultiTriangulationMapper::WarnOfForeignArrays()
 {
-  vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
-  plan.Coloring = vtkMTPatchStreams::NoColors;
-  plan.Scalars = -1;
-  if (this->ColorBy == NONE && this->ScalarVisibility)
+  Internals& self = *this->Implementation;
+  std::string names;
+  for (const auto association : { vtkMTArrayInfo::Point, vtkMTArrayInfo::Cell })
   {
-    int cellFlag = 0;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
-      this->GetInput(), this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    if (cellFlag == 2)
+    vtkDataSetAttributes* data = this->GetInput()->GetAttributes(
+      association == vtkMTArrayInfo::Point ? vtkDataObject::POINT : vtkDataObject::CELL);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      this->PlanFieldColor();
-    }
-    if (scalars && scalars->GetName() && cellFlag < 2)
-    {
-      plan.Scalars = vtkMTPatchAttributes::FindArray(this->Implementation->Graph(), scalars->GetName(),
-        cellFlag == 0 ? vtkMTArrayInfo::Point : vtkMTArrayInfo::Cell);
-    }
-    if (plan.Scalars >= 0)
-    {
-      // On the coarsest cut: this sets up table and range, and decides between colours and a texture, as VTK does.
-      this->ForgetColors();
-      this->MapScalars(1.0);
-      plan.Coloring = this->ColorTextureMap ? vtkMTPatchStreams::PointCoordinates
-        : cellFlag == 0                     ? vtkMTPatchStreams::PointColors
-                                            : vtkMTPatchStreams::CellColors;
+      const char* name = data->GetArrayName(i);
+      if (name && vtkMTPatchAttributes::FindArray(self.Graph(), name, association) < 0)
+      {
+        names += (names.empty() ? "" : ", ") + std::string(name);
+      }
     }
   }
-  if (plan.Coloring == vtkMTPatchStreams::PointCoordinates)
+  if (names != self.ForeignArrays && !names.empty())
   {
-    if (!this->InternalColorTexture)
-    {
-      this->InternalColorTexture = vtkOpenGLTexture::New();
-      this->InternalColorTexture->RepeatOff();
-    }
-    this->InternalColorTexture->SetInputData(this->ColorTextureMap);
-    return;
+    vtkWarningMacro("The input has arrays that its model has not, so they are known on its coarsest cut alone and are "
+                    "not drawn: "
+      << names << ". Build the model with them; for elevations there is SetColorByElevation.");
   }
-  this->ForgetColors();
-  if (this->ColorTextureMap)
-  {
-    this->ColorTextureMap->UnRegister(this);
-    this->ColorTextureMap = nullptr;
-  }
+  self.ForeignArrays = names;
 }
 
 //------------------------------------------------------------------------------
-// A tuple of an array in the input's field data colours everything.
-void vtkMultiTriangulationMapper::PlanFieldColor()
+void vtkMultiTriangulationMapper::WarnOfCoarsestCut()
 {
-  this->ForgetColors();
-  this->MapScalars(1.0);
-  if (this->Colors && this->FieldDataTupleId >= 0 && this->FieldDataTupleId < this->Colors->GetNumberOfTuples())
+  if (!this->Implementation->WarnedOfCoarsestCut && ComesFromAModel(this->GetInputAlgorithm()))
   {
-    this->Colors->GetTypedTuple(this->FieldDataTupleId, this->Implementation->FieldColor.data());
-    this->Implementation->Plan.Coloring = vtkMTPatchStreams::OneColor;
+    this->Implementation->WarnedOfCoarsestCut = true;
+    vtkWarningMacro("The input comes from "
+      << this->GetInputAlgorithm()->GetClassName()
+      << ", which has made other polydata of a model's coarsest cut: that is all that is drawn.");
   }
 }
 
@@ -136,24 +127,6 @@ void vtkMultiTriangulationMapper::PlanAttributes(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::UpdateColorRevision()
-{
-  Internals& self = *this->Implementation;
-  self.NewColorState.Clear();
-  self.NewColorState.Append(self.Plan.Coloring, "coloring");
-  self.NewColorState.Append(self.Plan.Scalars, "array");
-  self.NewColorState.Append(this->ArrayComponent, "component");
-  self.NewColorState.Append(this->ColorMode, "color mode");
-  self.NewColorState.Append(this->LookupTable, "table");
-  self.NewColorState.Append(this->LookupTable ? this->LookupTable->GetMTime() : 0, "table mtime");
-  if (self.ColorState != self.NewColorState)
-  {
-    self.ColorState = self.NewColorState;
-    ++self.Plan.ColorRevision;
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
 {
   const vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
@@ -175,7 +148,7 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
     declare(floats.Attribute, one);
   }
   if (plan.Coloring == vtkMTPatchStreams::PointColors || plan.Coloring == vtkMTPatchStreams::OneColor ||
-    this->ColorBy != NONE)
+    this->ShowsCut())
   {
     vtkNew<vtkUnsignedCharArray> one;
     one->SetNumberOfComponents(4);
@@ -205,29 +178,6 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
       attributes->SetAttribute(one, attribute);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::MapPatchScalars(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
-{
-  const vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
-  const auto scalars = vtkMTPatchAttributes::GetArray(this->Implementation->Graph(), array, patch);
-  // Both are kept from the patch before, whose values these are not.
-  this->ForgetColors();
-  if (plan.Coloring == vtkMTPatchStreams::PointCoordinates)
-  {
-    this->MapScalarsToTexture(scalars, 1.0);
-    const auto* values = reinterpret_cast<const unsigned char*>(this->ColorCoordinates->GetPointer(0));
-    bytes.assign(values, values + sizeof(float) * 2 * static_cast<std::size_t>(scalars->GetNumberOfTuples()));
-    return;
-  }
-  const double alpha = this->LookupTable->GetAlpha();
-  this->LookupTable->SetAlpha(1.0);
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    this->LookupTable->MapScalars(scalars, this->ColorMode, this->ArrayComponent));
-  this->LookupTable->SetAlpha(alpha);
-  bytes = vtkMTPatchAttributes::GetColors(
-    colors, plan.Coloring == vtkMTPatchStreams::CellColors ? plan.PrimitivesPerTriangle : 1);
 }
 
 //------------------------------------------------------------------------------

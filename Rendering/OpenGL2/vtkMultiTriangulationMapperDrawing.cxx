@@ -100,7 +100,7 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   }
   vtkMTTrianglePainter::Colors colors;
   colors.All = self.Plan.Coloring == vtkMTPatchStreams::OneColor ? &self.FieldColor : nullptr;
-  if (this->ColorBy != NONE)
+  if (this->ShowsCut())
   {
     colors.OfPatch = [this](std::uint32_t arc) { return this->GetPatchColor(arc); };
   }

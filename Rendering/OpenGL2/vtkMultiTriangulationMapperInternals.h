@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <string>
 #include <vector>
 
 struct vtkMultiTriangulationMapper::Internals
@@ -40,6 +41,18 @@ struct vtkMultiTriangulationMapper::Internals
 
   vtkMTPatchStreams::Plan Plan;
   std::array<unsigned char, 4> FieldColor{ 255, 255, 255, 255 }; // of everything, where Plan says so
+  // How values become colours.
+  enum ConversionType
+  {
+    Mapped, // as VTK does it
+    Named,  // by a table of values that have names and colours
+    Direct, // they are colours
+    ByPlace // by elevation
+  };
+  ConversionType Conversion = Mapped;
+  double FullColor = 255.0;
+  std::string ForeignArrays; // that were warned of
+  bool WarnedOfCoarsestCut = false;
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
 
