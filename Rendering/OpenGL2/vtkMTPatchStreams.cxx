@@ -100,6 +100,11 @@ void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchAren
     declare(GetCellStream(CellNormalStream, plan), MakeTriangleFormat(16 * times),
       1 + static_cast<std::uint64_t>(plan.CellNormals), Stream::CellNormal);
   }
+  if (!plan.CellTextures.empty())
+  {
+    declare(GetCellStream(CellTextureStream, plan), MakeTriangleFormat(sizeof(float) * times),
+      plan.CellTexturesRevision, Stream::Texture);
+  }
   switch (plan.Coloring)
   {
     case PointColors:
@@ -166,6 +171,11 @@ std::vector<unsigned char> vtkMTPatchStreams::GetArrays(const vtkMTGraph& graph)
       want(floats.Array);
     }
     want(plan.CellNormals);
+    if (!plan.CellTextures.empty())
+    {
+      want(plan.Materials);
+      want(plan.Parts);
+    }
     if (plan.Coloring != NoColors)
     {
       want(plan.Scalars);
@@ -189,6 +199,27 @@ bool vtkMTPatchStreams::Upload(vtkMTPatchArena& arena, vtkMTPatchArena::Slot& sl
       return !arena.IsStale(slot, stream.Number) ||
         arena.Upload(slot, stream.Number, this->Make(stream, graph, patch, mapping));
     });
+}
+
+// The number of the texture that each triangle has, or -1.
+std::vector<float> vtkMTPatchStreams::GetCellTextures(const vtkMTGraph& graph, const vtkMTPatch& patch) const
+{
+  const auto getValues = [&](int array)
+  { return array >= 0 ? vtkMTPatchAttributes::GetArray(graph, array, patch) : vtkSmartPointer<vtkDataArray>(); };
+  const vtkSmartPointer<vtkDataArray> materials = getValues(this->Current.Materials);
+  const vtkSmartPointer<vtkDataArray> parts = getValues(this->Current.Parts);
+  const auto has = [](vtkDataArray* values, std::size_t cell, int wanted)
+  { return wanted < 0 || (values && values->GetComponent(static_cast<vtkIdType>(cell), 0) == wanted); };
+  std::vector<float> numbers(patch.Triangles.size());
+  const std::vector<CellTexture>& textures = this->Current.CellTextures;
+  for (std::size_t cell = 0; cell < numbers.size(); ++cell)
+  {
+    const auto found = std::find_if(textures.begin(), textures.end(),
+      [&](const CellTexture& texture)
+      { return has(materials, cell, texture.Material) && has(parts, cell, texture.Part); });
+    numbers[cell] = found == textures.end() ? -1.0f : static_cast<float>(found - textures.begin());
+  }
+  return numbers;
 }
 
 std::vector<unsigned char> vtkMTPatchStreams::Make(
@@ -219,6 +250,10 @@ std::vector<unsigned char> vtkMTPatchStreams::Make(
         vtkMTPatchAttributes::GetFloats(array, 4), 4, this->Current.PrimitivesPerTriangle));
       break;
     }
+    case Stream::Texture:
+      bytes = ToBytes(
+        vtkMTPatchAttributes::Repeat(this->GetCellTextures(graph, patch), 1, this->Current.PrimitivesPerTriangle));
+      break;
     case Stream::Color:
       mapping(this->Current.Scalars, patch, bytes);
       break;

@@ -37,6 +37,14 @@ public:
     int Component = -1; ///< the array's component to begin with
   };
 
+  /// A texture that is drawn on the cells of a material, of a part, only; -1: of all.
+  struct CellTexture
+  {
+    std::string Name;
+    int Material = -1;
+    int Part = -1;
+  };
+
   enum ColoringType : std::uint8_t
   {
     NoColors,
@@ -52,7 +60,11 @@ public:
     bool ShortIndices = false;     ///< of 16 bits; no patch may have more than 65536 wedges then
     int PrimitivesPerTriangle = 1; ///< what OpenGL counts while it draws one triangle
     std::vector<Floats> Attributes;
-    int CellNormals = -1; ///< an array of association Cell, or none
+    int CellNormals = -1;                  ///< an array of association Cell, or none
+    std::vector<CellTexture> CellTextures; ///< each cell has the first one that it may have
+    std::uint64_t CellTexturesRevision = 1;
+    int Materials = -1; ///< arrays of association Cell that CellTextures are about, or none
+    int Parts = -1;
     ColoringType Coloring = NoColors;
     int Scalars = -1;                ///< the array that colours come from
     std::uint64_t ColorRevision = 1; ///< another one makes all colours stale
@@ -64,6 +76,7 @@ public:
   static constexpr const char* Positions = "latticeMC";
   static constexpr const char* CellColorStream = "cellColors";
   static constexpr const char* CellNormalStream = "cellNormals";
+  static constexpr const char* CellTextureStream = "cellTextures";
   /// The streams of the plan's indices, and of data of triangles, whose form depends on what is counted as one.
   static std::string GetIndexStream(const Plan& plan);
   static std::string GetCellStream(const char* stream, const Plan& plan);
@@ -91,11 +104,13 @@ private:
       Connectivity,
       Attribute,
       CellNormal,
+      Texture,
       Color
     } Kind = Points;
     std::size_t Which = 0; // of Plan::Attributes
   };
 
+  std::vector<float> GetCellTextures(const vtkMTGraph& graph, const vtkMTPatch& patch) const;
   std::vector<unsigned char> Make(
     const Stream& stream, const vtkMTGraph& graph, const vtkMTPatch& patch, const Mapping& mapping) const;
 

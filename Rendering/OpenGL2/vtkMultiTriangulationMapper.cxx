@@ -109,6 +109,11 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetNumberOfLoaderThreads(other->GetNumberOfLoaderThreads());
     this->SetFreezeCut(other->GetFreezeCut());
     this->SetColorBy(other->GetColorBy());
+    this->RemoveTextureMappings();
+    for (const vtkMTPatchStreams::CellTexture& texture : other->Implementation->CellTextures)
+    {
+      this->MapTextureToMaterial(texture.Name.c_str(), texture.Material, texture.Part);
+    }
     std::copy_n(other->ElevationLowPoint, 3, this->ElevationLowPoint);
     std::copy_n(other->ElevationHighPoint, 3, this->ElevationHighPoint);
     std::copy_n(other->ElevationRange, 2, this->ElevationRange);
@@ -145,6 +150,7 @@ void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Implementation->Painters.Release(window);
   }
+  this->Implementation->CellTextureBuffer->ReleaseGraphicsResources(window);
   this->Implementation->KeepsPatches = true;
   this->Superclass::ReleaseGraphicsResources(window);
   this->Implementation->KeepsPatches = keepsPatches;
@@ -393,6 +399,7 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
   plan.ShortIndices = std::all_of(arcs.begin(), arcs.end(), [](const vtkMTArc& arc) { return arc.Wedges <= 65536; });
   this->PlanColors();
   this->PlanAttributes(actor);
+  this->PlanCellTextures(actor);
   this->UpdateColorRevision();
   this->BuildTemplate(renderer);
   this->VBOBuildTime.Modified();

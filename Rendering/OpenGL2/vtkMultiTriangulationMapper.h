@@ -52,6 +52,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory> // For std::unique_ptr
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -232,6 +233,18 @@ public:
 
   ///@{
   /**
+   * Limits a texture of the actor's property (vtkProperty::SetTexture, by its name) to cells: those whose "MaterialIds"
+   * are the material and whose "PartId" is the part, where -1, for either, is all; a cell has the first texture that it
+   * may have. By default each texture is on all cells, as in VTK. A name again replaces what was said before, an empty
+   * one or null is ignored. VTK takes all textures but the first by their blending mode: give them
+   * VTK_TEXTURE_BLENDING_MODE_MODULATE.
+   */
+  void MapTextureToMaterial(const char* texture, int material, int part = -1);
+  void RemoveTextureMappings();
+  ///@}
+
+  ///@{
+  /**
    * Bytes of patches in main memory, those that are being loaded and what decoding them takes included: never more.
    * Default 512 MiB; negative values are clamped to 0. A patch that does not fit the limit while it is read is not
    * drawn, its coarser one is, and an error is reported.
@@ -372,6 +385,8 @@ private:
   void PlanElevation();
   void PlanFieldColor();
   void PlanAttributes(vtkActor* actor);
+  void PlanCellTextures(vtkActor* actor);
+  void SubstituteCellTextures(std::string& source) const;
   void BuildTemplate(vtkRenderer* renderer);
   void WarnOfForeignArrays();
   void WarnOfCoarsestCut();

@@ -127,6 +127,47 @@ void vtkMultiTriangulationMapper::PlanAttributes(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::MapTextureToMaterial(const char* texture, int material, int part)
+{
+  if (!texture || !*texture)
+  {
+    return;
+  }
+  auto& textures = this->Implementation->CellTextures;
+  auto found = std::find_if(textures.begin(), textures.end(),
+    [texture](const vtkMTPatchStreams::CellTexture& each) { return each.Name == texture; });
+  found = found == textures.end() ? textures.insert(found, { texture, -1, -1 }) : found;
+  found->Material = std::max(material, -1);
+  found->Part = std::max(part, -1);
+  ++this->Implementation->Plan.CellTexturesRevision;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RemoveTextureMappings()
+{
+  if (!this->Implementation->CellTextures.empty())
+  {
+    this->Implementation->CellTextures.clear();
+    ++this->Implementation->Plan.CellTexturesRevision;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::PlanCellTextures(vtkActor* actor)
+{
+  Internals& self = *this->Implementation;
+  vtkMTPatchStreams::Plan& plan = self.Plan;
+  const bool isUsed = std::any_of(self.CellTextures.begin(), self.CellTextures.end(),
+    [actor](const vtkMTPatchStreams::CellTexture& each)
+    { return actor->GetProperty()->GetTexture(each.Name.c_str()) != nullptr; });
+  plan.CellTextures = isUsed ? self.CellTextures : std::vector<vtkMTPatchStreams::CellTexture>();
+  plan.Materials = vtkMTPatchAttributes::FindArray(self.Graph(), "MaterialIds", vtkMTArrayInfo::Cell);
+  plan.Parts = vtkMTPatchAttributes::FindArray(self.Graph(), "PartId", vtkMTArrayInfo::Cell);
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
 {
   const vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
@@ -186,7 +227,7 @@ void vtkMultiTriangulationMapper::UpdateCellTextures(vtkRenderer* renderer)
   Internals& self = *this->Implementation;
   const auto values = static_cast<unsigned int>(
     self.Painter->GetArena().GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
-  const auto update = [&](vtkTextureObject*& texture, const char* stream, int type)
+  const auto fill = [&](vtkTextureObject* texture, const char* stream, int type, int components)
   {
     vtkOpenGLBufferObject* buffer =
       self.Painter->GetArena().GetBuffer(vtkMTPatchStreams::GetCellStream(stream, self.Plan));
@@ -194,15 +235,18 @@ void vtkMultiTriangulationMapper::UpdateCellTextures(vtkRenderer* renderer)
     {
       return false;
     }
-    if (!texture)
-    {
-      texture = vtkTextureObject::New();
-    }
     texture->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-    return texture->CreateTextureBuffer(values, 4, type, buffer);
+    return texture->CreateTextureBuffer(values, components, type, buffer);
+  };
+  const auto update = [&fill](vtkTextureObject*& texture, const char* stream, int type)
+  {
+    texture = texture ? texture : vtkTextureObject::New();
+    return fill(texture, stream, type, 4);
   };
   this->HaveCellScalars = self.Plan.Coloring == vtkMTPatchStreams::CellColors &&
     update(this->CellScalarTexture, vtkMTPatchStreams::CellColorStream, VTK_UNSIGNED_CHAR);
   this->HaveCellNormals =
     self.Plan.CellNormals >= 0 && update(this->CellNormalTexture, vtkMTPatchStreams::CellNormalStream, VTK_FLOAT);
+  self.HasCellTextures =
+    !self.Plan.CellTextures.empty() && fill(self.CellTextureBuffer, vtkMTPatchStreams::CellTextureStream, VTK_FLOAT, 1);
 }

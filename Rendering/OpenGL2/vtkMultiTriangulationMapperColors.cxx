@@ -245,8 +245,18 @@ bool vtkMultiTriangulationMapper::HasTranslucentColors()
   const vtkMTGraph& graph = vtkMultiTriangulation::SafeDownCast(this->GetInput())->GetSource()->GetGraph();
   int cellFlag = 0;
   const int array = this->FindScalars(graph, cellFlag);
-  return array >= 0 && this->IsDirect(graph.Arrays[array]) && graph.Arrays[array].Components == 4 &&
-    GetRange(this->GetInput(), graph.Arrays[array], 3)[0] < this->GetFullColor(graph.Arrays[array]);
+  if (array < 0)
+  {
+    return false;
+  }
+  const vtkMTArrayInfo& info = graph.Arrays[array];
+  if (this->IsDirect(info))
+  {
+    return info.Components == 4 && GetRange(this->GetInput(), info, 3)[0] < this->GetFullColor(info);
+  }
+  vtkDataArray* scalars = FindOnCoarsestCut(this->GetInput(), info);
+  vtkScalarsToColors* table = scalars ? scalars->GetLookupTable() : nullptr;
+  return HasNamedValues(table) && !table->IsOpaque();
 }
 
 //------------------------------------------------------------------------------

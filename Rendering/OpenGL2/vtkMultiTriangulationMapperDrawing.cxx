@@ -87,6 +87,10 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   {
     return;
   }
+  if (self.HasCellTextures)
+  {
+    self.CellTextureBuffer->Activate();
+  }
   this->UpdateShaders(cellBO, renderer, actor);
   if (!cellBO.Program)
   {
@@ -105,6 +109,10 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
     colors.OfPatch = [this](std::uint32_t arc) { return this->GetPatchColor(arc); };
   }
   self.Painter->Draw(cellBO.Program, mode, self.Cut->Arcs, colors);
+  if (self.HasCellTextures)
+  {
+    self.CellTextureBuffer->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------

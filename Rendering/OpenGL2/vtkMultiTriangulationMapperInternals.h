@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkStateStorage.h"
+#include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
@@ -40,6 +41,9 @@ struct vtkMultiTriangulationMapper::Internals
   bool DrewPatches = false;
 
   vtkMTPatchStreams::Plan Plan;
+  std::vector<vtkMTPatchStreams::CellTexture> CellTextures;      // as they were asked for
+  vtkNew<vtkTextureObject> CellTextureBuffer;                    // which of them each triangle has
+  bool HasCellTextures = false;                                  // in this pass
   std::array<unsigned char, 4> FieldColor{ 255, 255, 255, 255 }; // of everything, where Plan says so
   // How values become colours.
   enum ConversionType

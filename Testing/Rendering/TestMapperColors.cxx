@@ -25,6 +25,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSphereSource.h"
+#include "vtkTexture.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
@@ -258,6 +259,78 @@ TEST(Colors, IdsHaveTheColoursOfTheTableThatTheyCarryOnEveryLevel)
           colors.count({ 255, 255, 0 }),
         4u);
     }
+  }
+}
+
+vtkSmartPointer<vtkTexture> MakeTexture(unsigned char red, unsigned char green, unsigned char blue)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(i % 2, i / 2, 0));
+    pixel[0] = red;
+    pixel[1] = green;
+    pixel[2] = blue;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetBlendingMode(vtkTexture::VTK_TEXTURE_BLENDING_MODE_MODULATE);
+  return texture;
+}
+
+TEST(Textures, CellsHaveThatOfTheirMaterialAndPart)
+{
+  const auto mesh = MakeSphere();
+  AddGroups(mesh, VTK_INT);
+  vtkNew<vtkFloatArray> places;
+  places->SetNumberOfComponents(2);
+  places->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  places->Fill(0.5);
+  mesh->GetPointData()->SetTCoords(places);
+  vtkNew<vtkIntArray> parts;
+  parts->SetName("PartId");
+  parts->SetNumberOfValues(mesh->GetNumberOfCells());
+  parts->Fill(5);
+  mesh->GetCellData()->AddArray(parts);
+  const auto model = Build(mesh);
+  for (const int representation : { VTK_SURFACE, VTK_WIREFRAME })
+  {
+    vtkNew<vtkMultiTriangulationMapper> mapper;
+    mapper->SetInputData(model);
+    mapper->SetPixelError(0.5);
+    MTScene scene(mapper);
+    scene.Actor->GetProperty()->LightingOff();
+    scene.Actor->GetProperty()->SetRepresentation(representation);
+    scene.Renderer->ResetCamera();
+    EXPECT_TRUE(mapper->SelectColors());
+    const auto expected = scene.Render();
+
+    mapper->ScalarVisibilityOff();
+    const char* const names[4] = { "first", "second", "third", "fourth" };
+    const std::array<std::array<unsigned char, 3>, 4> colors{ { { 255, 0, 0 }, { 0, 255, 0 }, { 0, 0, 255 },
+      { 255, 255, 0 } } };
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      scene.Actor->GetProperty()->SetTexture(names[i], MakeTexture(colors[i][0], colors[i][1], colors[i][2]));
+      mapper->MapTextureToMaterial(names[i], static_cast<int>(10 * i + 3), i == 1 ? 5 : -1);
+    }
+    const auto picture = scene.Render();
+    MTWritePicture(picture, std::string(MT_TEST_OUTPUT_DIRECTORY) + "/TexturesOfMaterials.png");
+    const MTDifference difference = MTDifference::Compare(picture, expected);
+    std::cout << difference << "\n";
+    EXPECT_GT(difference.Drawn, 3000u);
+    EXPECT_EQ(difference.ClearlyOff, 0u);
+    // Of another part; and without mappings all are on all cells: red times green is black.
+    mapper->MapTextureToMaterial("second", 13, 6);
+    const auto other = GetColors(scene.Render());
+    EXPECT_EQ(other.count({ 255, 255, 255 }), 1u);
+    EXPECT_EQ(other.count({ 0, 255, 0 }), 0u);
+    mapper->RemoveTextureMappings();
+    const auto all = GetColors(scene.Render());
+    EXPECT_EQ(all.count({ 0, 0, 0 }), 1u);
+    EXPECT_EQ(all.size(), 2u);
   }
 }
 
