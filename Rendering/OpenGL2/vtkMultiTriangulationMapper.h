@@ -30,8 +30,7 @@
  * materials do, is coloured by that table.
  *
  * Arrays that are not part of the model, because a filter has added them, have values on its coarsest cut alone: they
- * are not drawn, and a warning says so once. Elevations can be, by SetColorByElevation. A filter that does not know
- * models and makes other polydata of the coarsest cut is warned of likewise.
+ * are not drawn, and a warning says so once. Elevations can be, by SetColorByElevation.
  *
  * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
  * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
@@ -348,6 +347,9 @@ public:
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   ///@}
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMultiTriangulationMapper();
   ~vtkMultiTriangulationMapper() override;
@@ -389,7 +391,6 @@ private:
   void SubstituteCellTextures(std::string& source) const;
   void BuildTemplate(vtkRenderer* renderer);
   void WarnOfForeignArrays();
-  void WarnOfCoarsestCut();
   void UpdateColorRevision();
   vtkSmartPointer<vtkDataArray> GetElevations(const vtkMTPatch& patch);
   vtkSmartPointer<vtkDataArray> GetPatchScalars(int array, const vtkMTPatch& patch);

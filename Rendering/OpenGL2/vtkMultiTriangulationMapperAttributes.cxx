@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkMultiTriangulationMapper: which data the shader needs.
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
 #include "vtkMTPatchAttributes.h"
-#include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,33 +15,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
-
-namespace
-{
-// Whether a filter that does not know models has one before it. The toolkit's own say what they give.
-bool ComesFromAModel(vtkAlgorithm* filter)
-{
-  const char* const own = "vtkMultiTriangulation";
-  if (!filter || std::strncmp(filter->GetClassName(), own, std::strlen(own)) == 0)
-  {
-    return false;
-  }
-  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
-    {
-      auto* model = vtkMultiTriangulation::SafeDownCast(filter->GetInputDataObject(port, i));
-      if ((model && model->GetSource()) || ComesFromAModel(filter->GetInputAlgorithm(port, i)))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-}
 
 //------------------------------------------------------------------------------
 // A filter that does not know the model has added them to its coarsest cut, and finer patches have no such values.
@@ -71,18 +43,6 @@ void vtkMultiTriangulationMapper::WarnOfForeignArrays()
       << names << ". Build the model with them; for elevations there is SetColorByElevation.");
   }
   self.ForeignArrays = names;
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::WarnOfCoarsestCut()
-{
-  if (!this->Implementation->WarnedOfCoarsestCut && ComesFromAModel(this->GetInputAlgorithm()))
-  {
-    this->Implementation->WarnedOfCoarsestCut = true;
-    vtkWarningMacro("The input comes from "
-      << this->GetInputAlgorithm()->GetClassName()
-      << ", which has made other polydata of a model's coarsest cut: that is all that is drawn.");
-  }
 }
 
 //------------------------------------------------------------------------------

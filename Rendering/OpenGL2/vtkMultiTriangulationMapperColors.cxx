@@ -87,7 +87,7 @@ bool vtkMultiTriangulationMapper::SelectColors()
   {
     return false;
   }
-  const vtkMTGraph& graph = source->GetGraph();
+  const vtkMTGraph& graph = source->GetKnownGraph();
   int array = vtkMTColorArray::Find(graph);
   const int materials = vtkMTPatchAttributes::FindArray(graph, "MaterialIds", vtkMTArrayInfo::Cell);
   if (array < 0 && materials >= 0)
@@ -242,7 +242,7 @@ double vtkMultiTriangulationMapper::GetFullColor(const vtkMTArrayInfo& info)
 //------------------------------------------------------------------------------
 bool vtkMultiTriangulationMapper::HasTranslucentColors()
 {
-  const vtkMTGraph& graph = vtkMultiTriangulation::SafeDownCast(this->GetInput())->GetSource()->GetGraph();
+  const vtkMTGraph& graph = vtkMultiTriangulation::SafeDownCast(this->GetInput())->GetSource()->GetKnownGraph();
   int cellFlag = 0;
   const int array = this->FindScalars(graph, cellFlag);
   if (array < 0)

@@ -56,7 +56,6 @@ struct vtkMultiTriangulationMapper::Internals
   ConversionType Conversion = Mapped;
   double FullColor = 255.0;
   std::string ForeignArrays; // that were warned of
-  bool WarnedOfCoarsestCut = false;
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
 
@@ -94,7 +93,7 @@ struct vtkMultiTriangulationMapper::Internals
     if (this->BoundsSource.lock() != source)
     {
       this->BoundsSource = source;
-      source->GetGraph().GetBounds(this->Bounds.data());
+      source->GetKnownGraph().GetBounds(this->Bounds.data());
     }
     return this->Bounds;
   }

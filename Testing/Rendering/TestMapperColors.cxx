@@ -20,7 +20,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -476,29 +475,5 @@ TEST(Colors, ArraysThatAFilterAddedAreWarnedOfOnce)
   scene.Render();
   EXPECT_EQ(events.Warnings, 1);
   EXPECT_NE(events.Last.find("Height"), std::string::npos) << events.Last;
-}
-
-TEST(Colors, PolydataOfAFilterThatKnowsTheCoarsestCutAloneIsWarnedOfOnce)
-{
-  vtkNew<vtkPolyDataNormals> filter;
-  filter->SetInputData(MakeGrid(false));
-  vtkNew<vtkMultiTriangulationMapper> mapper;
-  Events events;
-  Count(mapper, events);
-  MTScene scene(mapper);
-  mapper->SetInputConnection(filter->GetOutputPort());
-  scene.Render();
-  filter->SplittingOff();
-  scene.Render();
-  EXPECT_EQ(events.Warnings, 1);
-  EXPECT_NE(events.Last.find("vtkPolyDataNormals"), std::string::npos) << events.Last;
-  // Polydata of something else is not.
-  vtkNew<vtkSphereSource> sphere;
-  vtkNew<vtkMultiTriangulationMapper> other;
-  Count(other, events);
-  MTScene plain(other);
-  other->SetInputConnection(sphere->GetOutputPort());
-  plain.Render();
-  EXPECT_EQ(events.Warnings, 1);
 }
 }
