@@ -234,8 +234,8 @@ public:
   /**
    * Limits a texture of the actor's property (vtkProperty::SetTexture, by its name) to cells: those whose "MaterialIds"
    * are the material and whose "PartId" is the part, where -1, for either, is all; a cell has the first texture that it
-   * may have. By default each texture is on all cells, as in VTK. A name again replaces what was said before, an empty
-   * one or null is ignored. VTK takes all textures but the first by their blending mode: give them
+   * may have. By default each texture is on all cells, as in VTK. A name that was given before gets the new cells, an
+   * empty one or null is ignored. VTK takes all textures but the first by their blending mode: give them
    * VTK_TEXTURE_BLENDING_MODE_MODULATE.
    */
   void MapTextureToMaterial(const char* texture, int material, int part = -1);
