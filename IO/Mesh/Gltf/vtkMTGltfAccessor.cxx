@@ -34,6 +34,18 @@ void ConvertValues(const vtkMTGltfAccessor::Layout& layout, const unsigned char*
 }
 
 //------------------------------------------------------------------------------
+// A hint, no more: empty where it is damaged.
+static std::vector<double> FindBound(const Json& object, const char* key, std::size_t components)
+{
+  std::vector<double> values;
+  const Json* list = Find(object, key);
+  for (std::size_t i = 0; list && list->is_array() && list->size() == components && i < components; ++i)
+  {
+    values.push_back((*list)[i].is_number() ? (*list)[i].get<double>() : std::numeric_limits<double>::quiet_NaN());
+  }
+  return values;
+}
+
 std::size_t vtkMTGltfAccessor::Layout::GetSize(int type)
 {
   return type == Byte || type == UnsignedByte ? 1 : type == Short || type == UnsignedShort ? 2 : 4;
@@ -156,8 +168,8 @@ vtkMTGltfAccessor::vtkMTGltfAccessor(vtkMTGltfFile& file, std::size_t index)
   {
     this->AddSparse(file, *sparse);
   }
-  this->Least = GetNumbers(object, "min", layout.GetComponents(), this->Where, {});
-  this->Largest = GetNumbers(object, "max", layout.GetComponents(), this->Where, {});
+  this->Least = FindBound(object, "min", layout.GetComponents());
+  this->Largest = FindBound(object, "max", layout.GetComponents());
 }
 
 void vtkMTGltfAccessor::AddSparse(vtkMTGltfFile& file, const Json& sparse)
