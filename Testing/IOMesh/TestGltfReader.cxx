@@ -231,9 +231,14 @@ TEST(GltfReader, StripsAndFansBecomeTrianglesAndOthersAreCounted)
     vtkIdType count = 0;
     const vtkIdType* corners = nullptr;
     read.Mesh->GetPolys()->GetCellAtId(i, count, corners);
+    double p[3][3];
+    for (vtkIdType c = 0; c < 3; ++c)
+    {
+      read.Mesh->GetPoint(corners[c], p[c]);
+    }
     double a[3], b[3];
-    vtkMath::Subtract(read.Mesh->GetPoint(corners[1]), read.Mesh->GetPoint(corners[0]), a);
-    vtkMath::Subtract(read.Mesh->GetPoint(corners[2]), read.Mesh->GetPoint(corners[0]), b);
+    vtkMath::Subtract(p[1], p[0], a);
+    vtkMath::Subtract(p[2], p[0], b);
     EXPECT_GT(a[0] * b[1] - a[1] * b[0], 0.0) << i; // all are seen from above
   }
   EXPECT_EQ(read.Counts.at("vertices"), 5);

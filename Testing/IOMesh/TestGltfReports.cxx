@@ -64,7 +64,7 @@ TEST(GltfReports, EveryFileHasItsRightValue)
   EXPECT_EQ(ReadReport("g_matcolor.glb").GetCellValues("BaseColor")[0], 255.0);
   EXPECT_EQ(ReadReport("g_matcolor.glb").GetCellValues("MaterialIds")[23], 1.0);
   const std::vector<double> colors = ReadReport("g_col_u8.glb").GetValues("COLOR_0");
-  EXPECT_EQ(std::vector<double>(colors.begin(), colors.begin() + 4), (std::vector<double>{ 255, 128, 0, 255 }));
+  EXPECT_EQ(std::vector<double>(colors.begin(), colors.begin() + 4), (std::vector<double>{ 255, 127, 0, 255 }));
   for (const char* name : { "g_missingimage.glb", "g_missingnormalmap.glb", "g_ktx2.glb" })
   {
     EXPECT_EQ(CountTextureProblems(name), 1u) << name;
