@@ -25,18 +25,20 @@ struct vtkMTBuildInput::ReadPart
 {
   std::vector<std::string> Files;
   vtkSmartPointer<vtkPolyData> Mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkMTWorldFrame Frame;
 };
 
 namespace
 {
 // The finest level.
-bool ReadModel(const std::string& path, vtkPolyData* mesh, std::string& error)
+bool ReadModel(const std::string& path, vtkPolyData* mesh, vtkMTWorldFrame& frame, std::string& error)
 {
   vtkMTFileSource source;
   if (!source.Open(path, error))
   {
     return false;
   }
+  frame = { source.GetGraph().Crs, source.GetGraph().Units };
   vtkMTCut cut(source.GetGraph());
   for (std::uint32_t node = 0; node < source.GetGraph().GetSink(); ++node)
   {
@@ -61,13 +63,13 @@ bool vtkMTBuildInput::CheckGoesOn(vtkMTBuildError& error) const
 
 //------------------------------------------------------------------------------
 // Read whole
-bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error) const
+bool vtkMTBuildInput::ReadPath(const std::string& path, ReadPart& part, vtkMTBuildError& error)
 {
   std::string reason;
   bool good = true;
   if (vtkMTFileSource::CanRead(path))
   {
-    good = ReadModel(path, mesh, reason);
+    good = ReadModel(path, part.Mesh, part.Frame, reason);
   }
   else if (vtkMTVolumeReader::CanRead(path))
   {
@@ -76,12 +78,15 @@ bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMT
       return error.Fail(vtkMultiTriangulationFileBuilder::IsoValueError,
         path + ": is a volume; an iso value must say which isosurface is meant");
     }
-    good =
-      vtkMTVolumeReader::ReadIsosurface(path, *this->Settings.IsoValue, this->Settings.GradientNormals, mesh, reason);
+    vtkMTVolumeReader::Facts facts;
+    good = vtkMTVolumeReader::ReadIsosurface(
+      path, *this->Settings.IsoValue, this->Settings.GradientNormals, part.Mesh, reason, &facts);
+    part.Frame = facts.Frame;
+    this->AddCounts(facts.Report);
   }
   else
   {
-    good = vtkMTMeshReader::Read(path, mesh, reason);
+    good = vtkMTMeshReader::Read(path, part.Mesh, reason);
   }
   return good || error.Fail(vtkErrorCode::FileFormatError, reason);
 }
@@ -111,7 +116,7 @@ bool vtkMTBuildInput::ReadParts(std::vector<ReadPart>& parts, vtkMTBuildError& e
     {
       return error.Fail(vtkErrorCode::FileFormatError, reason);
     }
-    if ((!isTile && !this->ReadMesh(path, part.Mesh, error)) || !this->CheckGoesOn(error))
+    if ((!isTile && !this->ReadPath(path, part, error)) || !this->CheckGoesOn(error))
     {
       return false;
     }
@@ -121,11 +126,35 @@ bool vtkMTBuildInput::ReadParts(std::vector<ReadPart>& parts, vtkMTBuildError& e
   {
     return error.Fail(vtkErrorCode::FileFormatError, reason);
   }
-  for (const auto& [name, count] : terrain.GetReport())
+  if (ofTerrain < parts.size())
+  {
+    parts[ofTerrain].Frame = terrain.GetFrame();
+    this->AddCounts(terrain.GetReport());
+  }
+  this->UniteFrames(parts);
+  return true;
+}
+
+void vtkMTBuildInput::AddCounts(const std::map<std::string, std::int64_t>& counts)
+{
+  for (const auto& [name, count] : counts)
   {
     this->Found.Counts[name] += count;
   }
-  return true;
+}
+
+void vtkMTBuildInput::UniteFrames(const std::vector<ReadPart>& parts)
+{
+  const vtkMTWorldFrame& first = parts.front().Frame;
+  const auto differing = std::count_if(parts.begin(), parts.end(),
+    [&first](const ReadPart& part) { return part.Frame.Crs != first.Crs || part.Frame.Units != first.Units; });
+  if (differing > 0)
+  {
+    this->Found.Counts["differing_frames"] = differing;
+    return;
+  }
+  this->Found.Crs = first.Crs;
+  this->Found.Units = first.Units;
 }
 
 bool vtkMTBuildInput::Read(vtkPolyData* mesh, vtkMTBuildError& error)
@@ -164,8 +193,7 @@ bool vtkMTBuildInput::Read(vtkPolyData* mesh, vtkMTBuildError& error)
 
 //------------------------------------------------------------------------------
 // Block by block
-std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::StreamTerrain(
-  vtkMTSpoolStore& store, vtkMTBuildError& error) const
+std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::StreamTerrain(vtkMTSpoolStore& store, vtkMTBuildError& error)
 {
   vtkMTTerrain terrain;
   terrain.VerticalScale = this->Settings.VerticalScale;
@@ -185,6 +213,9 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::StreamTerrain(
     }
   }
   std::unique_ptr<vtkMTTriangleStream> stream = terrain.MakeStream(reason);
+  const vtkMTWorldFrame frame = terrain.GetFrame();
+  this->Found.Crs = frame.Crs;
+  this->Found.Units = frame.Units;
   if (!stream)
   {
     error.Fail(vtkErrorCode::FileFormatError, reason);
@@ -233,8 +264,11 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::Stream(
     vtkMTVolumeReader::CanRead(paths.front()))
   {
     std::string reason;
+    vtkMTWorldFrame frame;
     std::unique_ptr<vtkMTTriangleStream> isosurface =
-      vtkMTVolumeReader::StreamIsosurface(paths.front(), *this->Settings.IsoValue, reason);
+      vtkMTVolumeReader::StreamIsosurface(paths.front(), *this->Settings.IsoValue, reason, 0, &frame);
+    this->Found.Crs = frame.Crs;
+    this->Found.Units = frame.Units;
     if (!isosurface)
     {
       error.Fail(vtkErrorCode::FileFormatError, reason);

@@ -314,7 +314,7 @@ bool vtkMultiTriangulationFileBuilder::WriteFile(
   this->Implementation->UsesFolder = workspace.GetStore() != nullptr;
   vtkMTFileSink sink(
     this->OutputFileName, static_cast<vtkMTFileSink::CompressionType>(this->Compression), workspace.GetStore());
-  vtkMTModelSink model(sink, this->Report->Input.Textures, this->KeepIds, this->Implementation->Identity);
+  vtkMTModelSink model(sink, this->Report->Input, this->KeepIds, this->Implementation->Identity);
   builder->AbortExecuteOff();
   if (builder->Build(input, model))
   {
