@@ -61,6 +61,17 @@ bool vtkMTBuildInput::CheckGoesOn(vtkMTBuildError& error) const
   return this->GoesOn() || error.Fail(vtkMultiTriangulationFileBuilder::AbortError, "aborted");
 }
 
+std::vector<std::string> vtkMTBuildInput::FindFiles(const std::vector<std::string>& paths)
+{
+  std::vector<std::string> files = paths;
+  for (const std::string& path : paths)
+  {
+    const std::vector<std::string> others = vtkMTVolumeReader::FindOtherFiles(path);
+    files.insert(files.end(), others.begin(), others.end());
+  }
+  return files;
+}
+
 //------------------------------------------------------------------------------
 // Read whole
 bool vtkMTBuildInput::ReadPath(const std::string& path, ReadPart& part, vtkMTBuildError& error)

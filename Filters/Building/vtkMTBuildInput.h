@@ -60,6 +60,9 @@ public:
   vtkMTBuildInput(const vtkMTBuildInput&) = delete;
   void operator=(const vtkMTBuildInput&) = delete;
 
+  /// Those of the paths, and the files that headers of volumes among them name.
+  static std::vector<std::string> FindFiles(const std::vector<std::string>& paths);
+
   /// store and memory, in bytes, are for what is sorted; the store must outlive the stream. Null on failure.
   std::unique_ptr<vtkMTTriangleStream> Open(vtkMTSpoolStore& store, std::uint64_t memory, vtkMTBuildError& error);
 

@@ -152,7 +152,7 @@ bool vtkMultiTriangulationFileBuilder::Build(vtkMTBuildError& error)
   {
     return false;
   }
-  const vtkMTInputFiles files(this->Implementation->Input.Paths);
+  const vtkMTInputFiles files(vtkMTBuildInput::FindFiles(this->Implementation->Input.Paths));
   vtkMTBuildWorkspace workspace(
     { this->OutputFileName, this->TemporaryFolder, static_cast<std::uint64_t>(this->MemoryLimit), this->Resume });
   if (!this->MakeIdentity(files, error) || !workspace.Open(error))

@@ -16,6 +16,7 @@
 bool vtkMTVolumeHeader::Read(const std::string& path, std::string& error)
 {
   *this = vtkMTVolumeHeader();
+  this->Path = path;
   const std::string ending = vtkMTVolumeFormat::GetEnding(path);
   bool good = false;
   if (ending == "mhd" || ending == "mha" || ending == "nrrd" || ending == "nhdr")

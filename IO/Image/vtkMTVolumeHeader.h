@@ -54,6 +54,7 @@ struct vtkMTVolumeHeader
   /// False, with a reason that does not name the file, when it is no sound volume.
   bool Read(const std::string& path, std::string& error);
 
+  std::string Path;                               ///< of the header
   int Type = VTK_VOID;                            ///< of elements: VTK's number
   std::array<std::uint64_t, 3> Size{};            ///< samples along i, j, k
   std::array<std::uint64_t, 3> Stride{ 0, 0, 0 }; ///< from one sample to the next, in elements; the last is largest

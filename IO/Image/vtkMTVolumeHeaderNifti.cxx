@@ -312,6 +312,7 @@ bool vtkMTVolumeHeader::ReadNifti(const std::string& path, std::string& error)
 {
   const std::string ending = vtkMTVolumeFormat::GetEnding(path);
   const std::string name = ending.rfind("img", 0) == 0 ? FindPartner(path, "hdr") : path;
+  this->Path = name;
   const auto source = vtkMTFileByteSource::Open(name, error);
   Nifti fields;
   double elements = 1.0;

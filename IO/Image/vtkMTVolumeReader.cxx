@@ -74,6 +74,26 @@ bool vtkMTVolumeReader::CanRead(const std::string& path)
     (ending == "vtk" && vtkMTVolumeFormat::IsStructuredPoints(path));
 }
 
+std::vector<std::string> vtkMTVolumeReader::FindOtherFiles(const std::string& path)
+{
+  std::vector<std::string> others;
+  vtkMTVolumeHeader header;
+  std::string error;
+  if (!vtkMTVolumeHeader::CanRead(path) || !header.Read(path, error))
+  {
+    return others;
+  }
+  header.Files.insert(header.Files.begin(), { header.Path });
+  for (const vtkMTVolumeHeader::File& file : header.Files)
+  {
+    if (file.Path != path)
+    {
+      others.push_back(file.Path);
+    }
+  }
+  return others;
+}
+
 bool vtkMTVolumeReader::ReadIsosurface(
   const std::string& path, double value, bool gradientNormals, vtkPolyData* output, std::string& error, Facts* facts)
 {

@@ -28,6 +28,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkMTTriangleStream;
 class vtkPolyData;
@@ -44,6 +45,9 @@ public:
 
   /// Whether the name, for .vtk, .hdr and .img also the content, is that of a volume.
   static bool CanRead(const std::string& path);
+
+  /// The other files that a header names or that are its pair; none where the header is not sound.
+  static std::vector<std::string> FindOtherFiles(const std::string& path);
 
   /// The isosurface, its points in double precision. False, with the reason in error, and an empty output when there is
   /// no volume with point scalars; a surface without a triangle is an error that says the range of the scalars.
