@@ -8,6 +8,7 @@
 #include "vtkMTMeshMerge.h"
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshStream.h"
+#include "vtkMTPlacement.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTTerrain.h"
 #include "vtkMTTextureCollector.h"
@@ -30,7 +31,8 @@ struct vtkMTBuildInput::ReadPart
 
 namespace
 {
-// The finest level.
+// The finest level, at the place that the model's frame gives it: the name of its coordinates' frame is that of a model
+// that stays in its place.
 bool ReadModel(const std::string& path, vtkPolyData* mesh, vtkMTWorldFrame& frame, std::string& error)
 {
   vtkMTFileSource source;
@@ -38,13 +40,26 @@ bool ReadModel(const std::string& path, vtkPolyData* mesh, vtkMTWorldFrame& fram
   {
     return false;
   }
-  frame = { source.GetGraph().Crs, source.GetGraph().Units };
+  const vtkMTGraph& graph = source.GetGraph();
+  frame = graph.Frame ? vtkMTWorldFrame() : vtkMTWorldFrame{ graph.Crs, graph.Units };
   vtkMTCut cut(source.GetGraph());
   for (std::uint32_t node = 0; node < source.GetGraph().GetSink(); ++node)
   {
     cut.RefineWithDependencies(node);
   }
-  return vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error);
+  if (!vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error))
+  {
+    return false;
+  }
+  vtkMTPlacement placement;
+  placement.Matrix = source.GetGraph().Frame.value_or(placement.Matrix);
+  if (!vtkMTPlacement::IsSound(placement.Matrix.data()))
+  {
+    error = path + ": its frame is no affine map that has an inverse";
+    return false;
+  }
+  placement.Apply(mesh);
+  return true;
 }
 }
 

@@ -53,27 +53,27 @@ public:
     return this->IsReady;
   }
 
-  /// Whether the last byte was a member's, whose checksum was compared.
-  bool IsAtMember() const { return this->IsBetween; }
-
-  // Where the bytes end here, so that their checksum is compared.
-  bool Check(std::string& error)
+  // Goes on to the end of the member, unless the last byte was its last: there its checksum is compared.
+  bool Finish(std::string& error)
   {
-    unsigned char more = 0;
-    this->State.next_out = &more;
-    this->State.avail_out = 1;
-    int code = Z_OK;
-    while (code == Z_OK && this->State.avail_out > 0)
+    std::vector<unsigned char> rest(this->IsBetween ? 0 : std::size_t(1) << 16);
+    while (!this->IsBetween)
     {
       if (this->State.avail_in == 0 && !this->Fill(error))
       {
         return false;
       }
-      code = inflate(&this->State, Z_NO_FLUSH);
+      this->State.next_out = rest.data();
+      this->State.avail_out = static_cast<unsigned>(rest.size());
+      const int code = inflate(&this->State, Z_NO_FLUSH);
+      this->IsBetween = code == Z_STREAM_END;
+      if (!this->IsBetween && code != Z_OK && code != Z_BUF_ERROR)
+      {
+        error = "its packed samples are damaged";
+        return false;
+      }
     }
-    const bool isGood = code == Z_OK || code == Z_STREAM_END;
-    error = isGood ? error : "its packed samples are damaged";
-    return isGood;
+    return true;
   }
 
 private:
@@ -107,7 +107,7 @@ private:
 }
 
 bool vtkMTInflate(const vtkMTByteSource& source, std::uint64_t offset, std::uint64_t skip, std::size_t count,
-  void* destination, std::string& error)
+  void* destination, bool toEnd, std::string& error)
 {
   Inflater inflater(source, offset);
   std::vector<unsigned char> skipped(static_cast<std::size_t>(std::min<std::uint64_t>(skip, 1 << 16)));
@@ -120,6 +120,5 @@ bool vtkMTInflate(const vtkMTByteSource& source, std::uint64_t offset, std::uint
     }
     skip -= part;
   }
-  return inflater.Take(count, static_cast<unsigned char*>(destination), error) &&
-    (inflater.IsAtMember() || inflater.Check(error));
+  return inflater.Take(count, static_cast<unsigned char*>(destination), error) && (!toEnd || inflater.Finish(error));
 }

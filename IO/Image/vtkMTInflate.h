@@ -9,9 +9,10 @@
 
 class vtkMTByteSource;
 
-/// Of what is packed from offset on, in one or several members, leaves out skip bytes and takes the next count. False
-/// with the reason in error when there are not so many, or the bytes are damaged.
+/// Of what is packed from offset on, in one or several members, leaves out skip bytes and takes the next count.
+/// toEnd: goes on to the end of the member, where its checksum is compared; for what should be all of it. False with
+/// the reason in error when there are not so many bytes, or they are damaged.
 bool vtkMTInflate(const vtkMTByteSource& source, std::uint64_t offset, std::uint64_t skip, std::size_t count,
-  void* destination, std::string& error);
+  void* destination, bool toEnd, std::string& error);
 
 #endif

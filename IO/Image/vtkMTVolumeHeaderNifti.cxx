@@ -73,7 +73,7 @@ struct vtkMTVolumeHeader::Nifti
     this->Bytes.resize(348);
     const auto read = [&]
     {
-      return isPacked ? vtkMTInflate(source, 0, 0, this->Bytes.size(), this->Bytes.data(), error)
+      return isPacked ? vtkMTInflate(source, 0, 0, this->Bytes.size(), this->Bytes.data(), false, error)
                       : source.Read(0, this->Bytes.size(), this->Bytes.data(), error);
     };
     if (!read())
@@ -304,7 +304,7 @@ bool vtkMTVolumeHeader::CanRead(const std::string& path)
   unsigned char bytes[4];
   bool isSwapped = false;
   return source &&
-    (IsPacked(header) ? vtkMTInflate(*source, 0, 0, 4, bytes, error) : source->Read(0, 4, bytes, error)) &&
+    (IsPacked(header) ? vtkMTInflate(*source, 0, 0, 4, bytes, false, error) : source->Read(0, 4, bytes, error)) &&
     Nifti::FindSize(bytes, isSwapped) > 0;
 }
 

@@ -165,7 +165,8 @@ bool vtkMTVolumeSamples::Decode(std::string& error)
     unsigned char* to = this->Decoded.data() + done * this->ElementSize;
     const std::uint64_t offset = this->Header.Files[i].Offset;
     const bool isGood = this->Header.Encoding == vtkMTVolumeHeader::Deflated
-      ? vtkMTInflate(*this->Sources[i], offset, this->Header.DecodedSkip, count * this->ElementSize, to, error)
+      ? vtkMTInflate(*this->Sources[i], offset, this->Header.DecodedSkip, count * this->ElementSize, to,
+          count == this->GetElementsOfFile(), error)
       : this->DecodeText(*this->Sources[i], offset, count, to, error);
     if (!isGood)
     {
