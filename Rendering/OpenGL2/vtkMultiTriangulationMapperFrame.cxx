@@ -51,7 +51,7 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
     self.Rate.EndFrame(static_cast<std::uint64_t>(this->NumberOfTriangles));
   }
   self.Rate.SetGiven(this->DrawingRate);
-  self.Painter->Apply(self.Graph(), self.Plan,
+  self.Painter->Apply(self.Graph(), self.Plan, actor,
     [this](int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
     { this->MapPatchScalars(array, patch, bytes); });
 
