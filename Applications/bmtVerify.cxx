@@ -27,12 +27,13 @@ struct Options
   int Samples = 500000;
 };
 
+// A check that has tested nothing, but says why, has not passed.
 bmtJson DescribeCheck(
   const std::string& name, std::uint64_t tested, std::uint64_t violations, double worst, const std::string& message)
 {
   bmtJson json;
   json["name"] = name;
-  json["ok"] = violations == 0;
+  json["ok"] = tested == 0 && violations == 0 && !message.empty() ? bmtJson() : bmtJson(violations == 0);
   json["tested"] = tested;
   json["violations"] = violations;
   json["worst"] = worst;
@@ -91,6 +92,12 @@ bmtJson Describe(vtkMultiTriangulationVerifier* verifier)
   bmtJson json;
   json["ok"] = verifier->IsValid();
   json["checks"] = DescribeChecks(verifier->GetChecks());
+  if (!verifier->GetInputReading().empty())
+  {
+    json["input"] = { { "reading", verifier->GetInputReading() }, { "independent", verifier->GetInputChecked() },
+      { "coordinate_allowance", verifier->GetCoordinateAllowance() }, { "area_allowance", verifier->GetAreaAllowance() },
+      { "volume_allowance", verifier->GetVolumeAllowance() } };
+  }
   if (verifier->GetChecks()->GetNumberOfRows() > 4) // the model by itself was sound, so there were cuts
   {
     json["spans"] = DescribeSpans(verifier->GetSpans());
@@ -133,6 +140,21 @@ std::unique_ptr<vtkMTTriangleStream> OpenInput(const bmtInput& input, std::strin
   }
 }
 
+void SetInput(const bmtInput& input, vtkMultiTriangulationVerifier* verifier)
+{
+  verifier->SetInputName(input.Paths.front().c_str());
+  for (const std::string& path : input.Paths)
+  {
+    verifier->AddInputFileName(path.c_str());
+  }
+  if (input.IsoValue)
+  {
+    verifier->SetInputIsoValue(*input.IsoValue);
+  }
+  verifier->SetInputVerticalScale(input.VerticalScale);
+  verifier->SetInputDegrees(input.Degrees);
+}
+
 bmtJson Verify(const Options& options)
 {
   std::shared_ptr<const vtkMTPatchSource> source;
@@ -152,7 +174,7 @@ bmtJson Verify(const Options& options)
   vtkMultiTriangulationVerifier::InputOpener openInput;
   if (!options.Input.Paths.empty())
   {
-    verifier->SetInputName(options.Input.Paths.front().c_str());
+    SetInput(options.Input, verifier);
     openInput = [&options](std::string& error) { return OpenInput(options.Input, error); };
   }
   verifier->SetNumberOfCuts(options.Cuts);
@@ -173,7 +195,11 @@ int Report(const Options& options, const bmtContext& context, const bmtJson& res
   bmtPrint(context, result);
   for (const bmtJson& check : result["checks"])
   {
-    if (!check["ok"])
+    if (check["ok"].is_null())
+    {
+      bmtWarn(options.File + ": " + check["name"].get<std::string>() + ": " + check.value("message", ""));
+    }
+    else if (!check["ok"])
     {
       bmtWarn(options.File + ": check '" + check["name"].get<std::string>() +
         "' failed: " + check.value("message", "") + "; do not trust this file, build it anew");
