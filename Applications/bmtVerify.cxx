@@ -90,7 +90,8 @@ bmtJson DescribeTightness(vtkTable* levels)
 bmtJson Describe(vtkMultiTriangulationVerifier* verifier)
 {
   bmtJson json;
-  json["ok"] = verifier->IsValid();
+  const bool isChecked = verifier->GetInputReading().empty() || verifier->GetInputChecked();
+  json["ok"] = verifier->IsValid() && !isChecked ? bmtJson() : bmtJson(verifier->IsValid());
   json["checks"] = DescribeChecks(verifier->GetChecks());
   if (!verifier->GetInputReading().empty())
   {
@@ -205,7 +206,7 @@ int Report(const Options& options, const bmtContext& context, const bmtJson& res
         "' failed: " + check.value("message", "") + "; do not trust this file, build it anew");
     }
   }
-  return result["ok"] ? bmtExit::Success : bmtExit::Failure;
+  return result["ok"].is_null() ? bmtExit::Unchecked : (result["ok"] ? bmtExit::Success : bmtExit::Failure);
 }
 }
 

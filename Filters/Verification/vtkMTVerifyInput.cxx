@@ -6,15 +6,10 @@
 #include "vtkMTVerifyOffInput.h"
 #include "vtkMTVerifyPlyInput.h"
 #include "vtkMTVerifyStlInput.h"
-#include "vtkMTVerifyText.h"
-#include "vtkMTVerifyVtkInput.h"
-
-#if __has_include("vtkMTVerifyVolumeInput.h")
-#include "vtkMTVerifyVolumeInput.h"
-#endif
-#if __has_include("vtkMTVerifyTerrainInput.h")
 #include "vtkMTVerifyTerrainInput.h"
-#endif
+#include "vtkMTVerifyText.h"
+#include "vtkMTVerifyVolumeInput.h"
+#include "vtkMTVerifyVtkInput.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -87,38 +82,33 @@ void ReadMesh(const std::string& path, vtkPolyData* out, vtkMTVerifyInput::Sourc
   rounding = std::max(rounding, format == "glb" || format == "gltf" ? SingleRounding : 0.0);
 }
 
-bool IsVolume(const std::string& path)
-{
-  const std::string ending = vtkMTVerifyText::GetEnding(path);
-  const char* const endings[] = { "vti", "mhd", "mha", "nrrd", "nhdr", "nii", "vtk" };
-  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
-}
-
-bool IsTerrain(const std::string& path)
-{
-  const std::string ending = vtkMTVerifyText::GetEnding(path);
-  const char* const endings[] = { "hgt", "dem", "tif", "tiff" };
-  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
-}
-
-void ReadVolume(
+bool ReadVolume(
   const std::string& path, double isoValue, vtkPolyData* out, vtkMTVerifyInput::Source& source, double& rounding)
 {
-  (void)isoValue;
-  (void)out;
-  (void)path;
-  source.Reason = "volumes are not read independently";
-  rounding = SingleRounding;
+  vtkMTVerifyVolumeInput::Options options;
+  options.IsoValue = isoValue;
+  vtkMTVerifyVolumeInput::Facts facts;
+  source.Reason.clear();
+  const bool isRead = vtkMTVerifyVolumeInput::Read(path, options, out, facts, source.Reason);
+  source.Reader = facts.Reader;
+  rounding = std::max(rounding, SingleRounding);
+  return isRead;
 }
 
 void ReadTerrain(const std::vector<std::string>& paths, const vtkMTVerifyInput::Options& options, vtkPolyData* out,
   vtkMTVerifyInput::Source& source, double& rounding)
 {
-  (void)paths;
-  (void)options;
-  (void)out;
-  source.Reason = "terrain is not read independently";
-  rounding = SingleRounding;
+  vtkMTVerifyTerrainInput::Options settings;
+  settings.VerticalScale = options.VerticalScale;
+  settings.Degrees = options.Degrees;
+  vtkMTVerifyTerrainInput::Facts facts;
+  std::string error;
+  if (!vtkMTVerifyTerrainInput::Read(paths, settings, out, facts, error))
+  {
+    source.Reason = error.empty() ? "cannot be read" : error;
+  }
+  source.Reader = facts.Reader;
+  rounding = std::max(rounding, SingleRounding);
 }
 }
 
@@ -127,28 +117,28 @@ bool vtkMTVerifyInput::Read(
 {
   std::vector<vtkSmartPointer<vtkPolyData>> meshes;
   std::vector<std::string> tiles;
-  std::copy_if(options.Paths.begin(), options.Paths.end(), std::back_inserter(tiles), IsTerrain);
+  std::copy_if(options.Paths.begin(), options.Paths.end(), std::back_inserter(tiles), vtkMTVerifyTerrainInput::CanRead);
   bool hasTerrain = false;
   rounding = 0.0;
   for (const std::string& path : options.Paths)
   {
-    if (IsTerrain(path) && hasTerrain)
+    const bool isTerrain = vtkMTVerifyTerrainInput::CanRead(path);
+    if (isTerrain && hasTerrain)
     {
       continue;
     }
     sources.push_back({ path, "", "" });
     meshes.push_back(vtkSmartPointer<vtkPolyData>::New());
-    if (IsTerrain(path))
+    if (isTerrain)
     {
       hasTerrain = true;
       ReadTerrain(tiles, options, meshes.back(), sources.back(), rounding);
     }
-    else if (options.IsoValue && IsVolume(path))
+    else if (!options.IsoValue || !vtkMTVerifyVolumeInput::CanRead(path) ||
+      (!ReadVolume(path, *options.IsoValue, meshes.back(), sources.back(), rounding) &&
+        vtkMTVerifyText::GetEnding(path) == "vtk")) // which may be a mesh beside volumes
     {
-      ReadVolume(path, *options.IsoValue, meshes.back(), sources.back(), rounding);
-    }
-    else
-    {
+      sources.back().Reason.clear();
       ReadMesh(path, meshes.back(), sources.back(), rounding);
     }
   }
