@@ -5,6 +5,7 @@
 #include "vtkMTCutMesh.h"
 #include "vtkMTGraph.h"
 #include "vtkMTInputArrays.h"
+#include "vtkMTLabelCheck.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTVerifyPolygons.h"
 
@@ -379,5 +380,12 @@ bool vtkMTInputComparison::Test(
   checks.push_back(orientation);
   const vtkMTInputArrays arrays(this->InputMesh, this->Input, this->ModelMesh, this->Model, this->Pairs);
   checks.push_back(arrays.Test(this->Source.GetGraph(), [this](const Vector& x) { return this->Describe(x); }));
-  return progress("comparing arrays", 1.0);
+  vtkMTVerificationCheck labels("labels");
+  if (!vtkMTLabelCheck::Test(this->Source,
+        [&progress](const std::string& step, double share) { return progress(step, 0.8 + 0.2 * share); }, labels, error))
+  {
+    return false;
+  }
+  checks.push_back(labels);
+  return true;
 }

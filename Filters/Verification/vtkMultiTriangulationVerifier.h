@@ -18,8 +18,8 @@
  * of VTK's formats and by small ones that follow the formats' specifications; "input_reading" says by which. Then, and
  * for a mesh on port 1, the finest level is held against the input: "input_triangles" (their number, with what the input
  * report counts as dropped), "input_bounds", "input_area", "input_volume" (signed), "input_orientation" (each triangle
- * has its counterpart, turned the same way) and "input_arrays" (names, values, ranges, sets of labels). What may differ
- * follows from the lattice (GetCoordinateAllowance). Files that cannot be read another way than the builder's are not
+ * has its counterpart, turned the same way) "input_arrays" (names, values, ranges, sets of labels) and "labels" (coarse levels hold no others).
+ * What may differ follows from the lattice (GetCoordinateAllowance). Files that cannot be read another way than the builder's are not
  * checked so: "input_reading" has tested nothing and says why, GetInputChecked is false, and IsValid says no more than
  * that nothing wrong was found.
  *
