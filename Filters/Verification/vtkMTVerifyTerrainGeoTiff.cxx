@@ -5,6 +5,7 @@
 #include "vtkMTVerifyTerrainTiffSamples.h"
 #include "vtkMTVerifyTerrainTile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>

@@ -16,7 +16,9 @@ namespace
 constexpr double EarthRadius = 6371008.8;
 /// How far, in steps, a sample may be off the grid.
 constexpr double Tolerance = 0.02;
-constexpr std::int64_t MostSamples = std::int64_t(1) << 31;
+/// Of the grid: in all, and as many times as many as the tiles have.
+constexpr std::int64_t MostSamples = std::int64_t(1) << 29;
+constexpr std::int64_t MostEmpty = 64;
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 
 double GetArea(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& c)
@@ -69,26 +71,30 @@ bool vtkMTVerifyTerrainGrid::FindOffset(const vtkMTVerifyTerrainTile& tile, std:
 bool vtkMTVerifyTerrainGrid::SetLayout(const std::vector<vtkMTVerifyTerrainTile>& tiles, std::string& error)
 {
   this->Base = tiles.front();
+  std::vector<double>().swap(this->Base.Heights);
   std::array<std::int64_t, 2> first{ { 0, 0 } }, last{ { 0, 0 } };
+  std::int64_t samples = 0;
   for (std::size_t i = 0; i < tiles.size(); ++i)
   {
     this->Offsets.emplace_back();
     if (!this->FindOffset(tiles[i], this->Offsets.back()))
     {
       this->Facts.IsUnsupported = true;
-      error = "tile " + std::to_string(i + 1) + " is not on the grid of the first one, which the checker does not join";
+      error = tiles[i].Path + ": it is not on the grid of the first tile, and the checker joins no other";
       return false;
     }
     first[0] = std::min(first[0], this->Offsets[i][0]);
     first[1] = std::min(first[1], this->Offsets[i][1]);
     last[0] = std::max(last[0], this->Offsets[i][0] + tiles[i].Columns);
     last[1] = std::max(last[1], this->Offsets[i][1] + tiles[i].Rows);
+    samples += tiles[i].Columns * tiles[i].Rows;
   }
   this->Facts.Dimensions = { last[0] - first[0], last[1] - first[1] };
-  if (this->Facts.Dimensions[0] > MostSamples / this->Facts.Dimensions[1])
+  if (this->Facts.Dimensions[0] > MostSamples / this->Facts.Dimensions[1] ||
+    this->Facts.Dimensions[0] * this->Facts.Dimensions[1] > MostEmpty * samples)
   {
     this->Facts.IsUnsupported = true;
-    error = "the tiles' grid has more samples than the checker joins";
+    error = tiles.front().Path + ": the tiles are too far apart for the checker, which has one grid for all";
     return false;
   }
   for (auto& offset : this->Offsets)
@@ -100,9 +106,9 @@ bool vtkMTVerifyTerrainGrid::SetLayout(const std::vector<vtkMTVerifyTerrainTile>
     this->Base.Origin[i] +=
       static_cast<double>(first[0]) * this->Base.ColumnStep[i] + static_cast<double>(first[1]) * this->Base.RowStep[i];
   }
-  const auto samples = static_cast<std::size_t>(this->Facts.Dimensions[0] * this->Facts.Dimensions[1]);
-  this->Heights.assign(samples, NaN);
-  this->IsInTile.assign(samples, 0);
+  const auto places = static_cast<std::size_t>(this->Facts.Dimensions[0] * this->Facts.Dimensions[1]);
+  this->Heights.assign(places, NaN);
+  this->IsInTile.assign(places, 0);
   this->SetMap();
   return true;
 }
@@ -196,23 +202,24 @@ void vtkMTVerifyTerrainGrid::AddQuad(std::int64_t column, std::int64_t row)
   const Corner mirrored[4] = { { column, down }, { right, down }, { right, row }, { column, row } };
   const Corner straight[4] = { { column, row }, { right, row }, { right, down }, { column, down } };
   const auto& corners = this->IsMirrored ? mirrored : straight;
-  std::vector<Corner> there;
+  Corner there[4];
+  Place places[4];
+  std::size_t count = 0;
   for (const Corner& corner : corners)
   {
     if (!std::isnan(this->GetHeight(corner[0], corner[1])))
     {
-      there.push_back(corner);
+      there[count] = corner;
+      places[count++] = this->GetPlace(corner[0], corner[1]);
     }
   }
-  if (there.size() < 3)
+  if (count < 3)
   {
     return;
   }
-  Place places[4];
-  std::transform(there.begin(), there.end(), places, [this](const Corner& c) { return this->GetPlace(c[0], c[1]); });
   this->AddTriangle({ there[0], there[1], there[2] });
   double areas[2] = { GetArea(places[0], places[1], places[2]), 0.0 };
-  if (there.size() == 4)
+  if (count == 4)
   {
     this->AddTriangle({ there[0], there[2], there[3] });
     areas[0] += GetArea(places[0], places[2], places[3]);

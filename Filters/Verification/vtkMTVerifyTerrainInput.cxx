@@ -51,13 +51,13 @@ void AddFacts(const vtkMTVerifyTerrainTile& tile, vtkMTVerifyTerrainInput::Facts
   }
 }
 
-/// Reads a tile, and drops its heights again unless they are wanted.
 bool ReadTiles(const std::vector<std::string>& paths, std::vector<vtkMTVerifyTerrainTile>& tiles,
   vtkMTVerifyTerrainInput::Facts& facts, std::string& error)
 {
   for (const std::string& path : paths)
   {
     tiles.emplace_back();
+    tiles.back().Path = path;
     const bool isRead = ReadTile(path, tiles.back(), error);
     AddFacts(tiles.back(), facts);
     if (!isRead)
@@ -99,13 +99,8 @@ bool vtkMTVerifyTerrainInput::Read(
   {
     std::vector<vtkMTVerifyTerrainTile> tiles;
     vtkMTVerifyTerrainGrid grid(options, facts);
-    if (!ReadTiles(paths, tiles, facts, error))
+    if (!ReadTiles(paths, tiles, facts, error) || !grid.SetLayout(tiles, error))
     {
-      return false;
-    }
-    if (!grid.SetLayout(tiles, error))
-    {
-      error = ToMessage(paths.front(), error);
       return false;
     }
     for (std::size_t i = 0; i < tiles.size(); ++i)

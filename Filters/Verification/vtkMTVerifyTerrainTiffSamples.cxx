@@ -35,70 +35,97 @@ void UnpackBits(const unsigned char* data, std::size_t size, Bytes& block, std::
 }
 
 /// TIFF's LZW: codes of 9 to 12 bits, the highest bit first; their length grows one code early.
-bool UnpackLzw(const unsigned char* data, std::size_t size, Bytes& block, std::size_t limit)
+class LzwDecoder
 {
-  constexpr unsigned int clear = 256, end = 257, none = 4096;
-  std::vector<std::size_t> starts(4096, 0), lengths(4096, 0); // of each code's text in the block
-  unsigned int bits = 9, next = 258, last = none, window = 0, there = 0;
-  std::size_t lastStart = 0, lastLength = 0;
-  for (std::size_t i = 0; block.size() < limit;)
+public:
+  LzwDecoder(const unsigned char* data, std::size_t size, Bytes& block)
+    : Data(data)
+    , Size(size)
+    , Block(block)
   {
-    while (there < bits && i < size)
+  }
+
+  /// False where a code is none, or the data ends before its last code and before limit bytes.
+  bool Decode(std::size_t limit)
+  {
+    while (this->Block.size() < limit)
     {
-      window = window << 8 | data[i++];
-      there += 8;
-    }
-    if (there < bits)
-    {
-      return false;
-    }
-    const unsigned int code = window >> (there - bits) & ((1U << bits) - 1);
-    there -= bits;
-    if (code == end)
-    {
-      return true;
-    }
-    if (code == clear)
-    {
-      bits = 9;
-      next = 258;
-      last = none;
-      continue;
-    }
-    const std::size_t start = block.size();
-    if (code < 256)
-    {
-      block.push_back(static_cast<unsigned char>(code));
-    }
-    else
-    {
-      // The code that is made just now stands for the last text and its own first letter.
-      const bool isNew = code == next;
-      if (code > next || last == none || (!isNew && lengths[code] == 0))
+      const unsigned int code = this->ReadCode();
+      if (code == End)
+      {
+        return true;
+      }
+      if (code == Clear)
+      {
+        this->Next = First;
+        this->LastLength = 0;
+      }
+      else if (!this->Append(code))
       {
         return false;
       }
-      const std::size_t from = isNew ? lastStart : starts[code];
-      const std::size_t length = isNew ? lastLength + 1 : lengths[code];
-      for (std::size_t k = 0; k < length; ++k)
-      {
-        block.push_back(block[from + k]);
-      }
     }
-    if (last != none && next < none)
+    return true;
+  }
+
+private:
+  static constexpr unsigned int Clear = 256, End = 257, First = 258, None = 4096;
+
+  unsigned int ReadCode()
+  {
+    const unsigned int bits = this->Next >= 2047 ? 12 : this->Next >= 1023 ? 11 : this->Next >= 511 ? 10 : 9;
+    for (; this->There < bits && this->At < this->Size; this->There += 8)
+    {
+      this->Window = this->Window << 8 | this->Data[this->At++];
+    }
+    if (this->There < bits)
+    {
+      return None;
+    }
+    this->There -= bits;
+    return this->Window >> this->There & ((1U << bits) - 1);
+  }
+
+  bool Append(unsigned int code)
+  {
+    const std::size_t start = this->Block.size();
+    // The code that is made just now stands for the last text and its own first letter.
+    const bool isNew = code == this->Next && this->LastLength > 0;
+    if (code >= None || (code >= this->Next && !isNew))
+    {
+      return false;
+    }
+    const std::size_t from = isNew ? this->LastStart : this->Starts[code];
+    const std::size_t length = code < Clear ? 1 : isNew ? this->LastLength + 1 : this->Lengths[code];
+    for (std::size_t k = 0; k < length; ++k)
+    {
+      const unsigned char letter = code < Clear ? static_cast<unsigned char>(code) : this->Block[from + k];
+      this->Block.push_back(letter);
+    }
+    if (this->LastLength > 0 && this->Next < None)
     {
       // The last text and the first letter of this one follow each other in the block.
-      starts[next] = lastStart;
-      lengths[next] = lastLength + 1;
-      ++next;
+      this->Starts[this->Next] = this->LastStart;
+      this->Lengths[this->Next++] = this->LastLength + 1;
     }
-    lastStart = start;
-    lastLength = block.size() - start;
-    last = code;
-    bits = next >= 2047 ? 12 : next >= 1023 ? 11 : next >= 511 ? 10 : 9;
+    this->LastStart = start;
+    this->LastLength = length;
+    return true;
   }
-  return true;
-}
+
+  const unsigned char* Data;
+  std::size_t Size;
+  Bytes& Block;
+  std::size_t At = 0;
+  unsigned int Window = 0;
+  unsigned int There = 0; ///< bits of Window that are not used yet
+  unsigned int Next = First;
+  std::size_t LastStart = 0;
+  std::size_t LastLength = 0; ///< 0: no text since the table was cleared
+  /// Where each code's text is in the block.
+  std::vector<std::size_t> Starts = std::vector<std::size_t>(None, 0);
+  std::vector<std::size_t> Lengths = std::vector<std::size_t>(None, 0);
+};
 }
 
 vtkMTVerifyTerrainTiffSamples::vtkMTVerifyTerrainTiffSamples(
@@ -249,8 +276,12 @@ bool vtkMTVerifyTerrainTiffSamples::Decompress(
   switch (this->Compression)
   {
     case Lzw:
-      error = "its LZW data is damaged";
-      return UnpackLzw(data, size, block, limit);
+      if (!LzwDecoder(data, size, block).Decode(limit))
+      {
+        error = "its LZW data is damaged";
+        return false;
+      }
+      return true;
     case PackBits:
       UnpackBits(data, size, block, limit);
       return true;

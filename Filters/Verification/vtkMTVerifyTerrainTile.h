@@ -15,6 +15,7 @@
 
 struct VTKMTVERIFICATION_EXPORT vtkMTVerifyTerrainTile
 {
+  std::string Path;
   std::int64_t Columns = 0;
   std::int64_t Rows = 0;
   std::vector<double> Heights; ///< row after row; NaN: void

@@ -11,6 +11,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -66,6 +67,15 @@ void SetPlace(vtkImageData* image, vtkMTVerifyVolumeHeader& header)
   header.SetOrigin(first[0], first[1], first[2]);
 }
 
+void ObserveParser(vtkXMLImageDataReader* reader, vtkCommand* observer)
+{
+  reader->SetParserErrorObserver(observer);
+}
+
+void ObserveParser(vtkStructuredPointsReader*, vtkCommand*)
+{
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkDataArray> ReadByVtk(
   Reader* reader, const std::string& path, vtkMTVerifyVolumeHeader& header, std::string& error)
@@ -77,6 +87,8 @@ vtkSmartPointer<vtkDataArray> ReadByVtk(
   header.Facts.Reader = reader->GetClassName();
   reader->SetFileName(path.c_str());
   reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  ObserveParser(reader, observer);
   reader->Update();
   vtkImageData* image = reader->GetOutput();
   if (reader->GetErrorCode() != 0 || !message.empty() || !image || image->GetNumberOfPoints() == 0)

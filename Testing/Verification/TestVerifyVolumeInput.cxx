@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The checker's own reading of volumes: every form of header and samples gives the surface that the format's
 // specification asks for. The volume is a box of 3 x 2 x 3 samples of 100 within zeros, so bounds and volume are known.
+#include "MTVerifyFiles.h"
+
 #include "vtkMTVerifyVolumeInput.h"
 
-#include "vtkCell.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtk_zlib.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
+
+using namespace MTVerifyFiles;
 
 namespace
 {
@@ -50,105 +48,14 @@ std::vector<double> GetBox()
   return samples;
 }
 
-template <typename Value>
-void Put(std::string& bytes, Value value, bool isBig)
-{
-  char text[sizeof(Value)];
-  std::memcpy(text, &value, sizeof(Value));
-  if (isBig)
-  {
-    std::reverse(text, text + sizeof(Value));
-  }
-  bytes.append(text, sizeof(Value));
-}
-
-template <typename Value>
-std::string Encode(const std::vector<double>& samples, bool isBig = false)
-{
-  std::string bytes;
-  for (const double sample : samples)
-  {
-    Put(bytes, static_cast<Value>(sample), isBig);
-  }
-  return bytes;
-}
-
-/// windowBits: 15 for zlib's format, 31 for gzip's.
-std::string Compress(std::string text, int windowBits)
-{
-  z_stream state = {};
-  EXPECT_EQ(deflateInit2(&state, 6, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string packed(deflateBound(&state, static_cast<uLong>(text.size())) + 64, '\0');
-  state.next_in = reinterpret_cast<unsigned char*>(&text[0]);
-  state.avail_in = static_cast<uInt>(text.size());
-  state.next_out = reinterpret_cast<unsigned char*>(&packed[0]);
-  state.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&state, Z_FINISH), Z_STREAM_END);
-  packed.resize(state.total_out);
-  deflateEnd(&state);
-  return packed;
-}
-
-std::string ToText(const std::vector<double>& samples)
-{
-  std::ostringstream text;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    text << samples[i] << (i % 10 == 9 ? "\n" : " ");
-  }
-  return text.str();
-}
-
-std::string ToHex(const std::string& bytes)
-{
-  std::string text;
-  for (const unsigned char byte : bytes)
-  {
-    text += "0123456789abcdef"[byte / 16];
-    text += "0123456789ABCDEF"[byte % 16];
-    text += text.size() % 70 == 0 ? "\n" : "";
-  }
-  return text;
-}
-
-double GetSignedVolume(vtkPolyData* surface)
-{
-  double volume = 0.0;
-  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
-  {
-    double x[3][3];
-    for (int c = 0; c < 3; ++c)
-    {
-      surface->GetCell(i)->GetPoints()->GetPoint(c, x[c]);
-    }
-    volume += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) + x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
-      x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
-  }
-  return volume / 6.0;
-}
-
 double GetDeterminant(const Affine& m)
 {
   return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
 }
 
-class VerifyVolumeInput : public testing::Test
+class VerifyVolumeInput : public FolderTest
 {
 protected:
-  void SetUp() override
-  {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    this->Folder = std::string(MT_TEST_OUTPUT_DIRECTORY) + "/VerifyVolumeInput_" + test->name();
-    std::filesystem::remove_all(this->Folder);
-    std::filesystem::create_directories(this->Folder);
-  }
-
-  std::string Write(const std::string& name, const std::string& bytes) const
-  {
-    std::ofstream(this->Folder + "/" + name, std::ios::binary) << bytes;
-    return this->Folder + "/" + name;
-  }
-
   /// Reads it, and holds the surface to what the map makes of the box.
   Facts Expect(const std::string& path, const Affine& map, double isoValue = 50.0) const
   {
@@ -203,93 +110,12 @@ protected:
     std::cout << error << "\n";
     return error;
   }
-
-  std::string Folder;
 };
 
 const Affine Unit = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
 const std::string MetaImageHead = "ObjectType = Image\nNDims = 3\nDimSize = 8 7 6\n";
 const std::string NrrdHead = "NRRD0005\n# a comment\ndimension: 3\nsizes: 8 7 6\nkey:=value: with colon\n";
 
-/// The fields that tests set; all others are 0. Written after nifti1.h, or nifti2.h.
-struct Nifti
-{
-  int Version = 1;
-  bool IsBig = false;
-  bool IsSingle = true;
-  std::vector<std::int64_t> Dim{ 3, 8, 7, 6 };
-  std::int16_t Type = 4;
-  std::array<double, 4> Pixdim{ { 1, 1, 1, 1 } };
-  double Slope = 0.0, Intercept = 0.0;
-  int Qform = 0, Sform = 0;
-  std::array<double, 6> Quatern{}; ///< b, c, d and the offsets
-  std::array<double, 12> Rows{};
-
-  template <typename Value>
-  void Set(std::string& header, std::size_t at, Value value) const
-  {
-    std::string bytes;
-    Put(bytes, value, this->IsBig);
-    header.replace(at, bytes.size(), bytes);
-  }
-  void SetReal(std::string& header, std::size_t first, std::size_t second, std::size_t i, double value) const
-  {
-    this->Version == 1 ? this->Set(header, first + 4 * i, static_cast<float>(value))
-                       : this->Set(header, second + 8 * i, value);
-  }
-
-  std::string ToHeader() const
-  {
-    const bool isFirst = this->Version == 1;
-    std::string header(isFirst ? 352 : 544, '\0');
-    this->Set<std::int32_t>(header, 0, isFirst ? 348 : 540);
-    const std::string magic = std::string(this->IsSingle ? "n+" : "ni") + (isFirst ? "1" : "2");
-    header.replace(isFirst ? 344 : 4, 3, magic);
-    for (std::size_t i = 0; i < this->Dim.size(); ++i)
-    {
-      isFirst ? this->Set(header, 40 + 2 * i, static_cast<std::int16_t>(this->Dim[i]))
-              : this->Set(header, 16 + 8 * i, this->Dim[i]);
-    }
-    this->Set(header, isFirst ? 70 : 12, this->Type);
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      this->SetReal(header, 76, 104, i, this->Pixdim[i]);
-    }
-    const double offset = this->IsSingle ? (isFirst ? 352.0 : 544.0) : 0.0;
-    isFirst ? this->Set(header, 108, static_cast<float>(offset))
-            : this->Set(header, 168, static_cast<std::int64_t>(offset));
-    this->SetReal(header, 112, 176, 0, this->Slope);
-    this->SetReal(header, 116, 184, 0, this->Intercept);
-    isFirst ? this->Set(header, 252, static_cast<std::int16_t>(this->Qform)) : this->Set(header, 344, this->Qform);
-    isFirst ? this->Set(header, 254, static_cast<std::int16_t>(this->Sform)) : this->Set(header, 348, this->Sform);
-    for (std::size_t i = 0; i < 6; ++i)
-    {
-      this->SetReal(header, 256, 352, i, this->Quatern[i]);
-    }
-    for (std::size_t i = 0; i < 12; ++i)
-    {
-      this->SetReal(header, 280, 400, i, this->Rows[i]);
-    }
-    return header;
-  }
-};
-
-const std::array<std::function<std::string(bool)>, 10>& GetEncoders()
-{
-  static const std::array<std::function<std::string(bool)>, 10> encoders = { {
-    [](bool isBig) { return Encode<std::int8_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::uint8_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::int16_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::uint16_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::int32_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::uint32_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::int64_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<std::uint64_t>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<float>(GetBox(), isBig); },
-    [](bool isBig) { return Encode<double>(GetBox(), isBig); },
-  } };
-  return encoders;
-}
 }
 
 TEST_F(VerifyVolumeInput, EveryTypeAndByteOrderOfSamplesIsTheSame)
@@ -303,7 +129,7 @@ TEST_F(VerifyVolumeInput, EveryTypeAndByteOrderOfSamplesIsTheSame)
   {
     for (const bool isBig : { false, true })
     {
-      const std::string samples = GetEncoders()[type](isBig);
+      const std::string samples = GetEncoders()[type](GetBox(), isBig);
       const std::string name = std::to_string(type) + (isBig ? "big" : "little");
       const Facts facts =
         this->Expect(this->Write(name + ".mha",
@@ -553,8 +379,8 @@ TEST_F(VerifyVolumeInput, DamageIsAnErrorThatNamesTheFile)
 
 TEST_F(VerifyVolumeInput, ReportsHaveTheirRightValues)
 {
-  const std::string folder = std::string(MT_SOURCE_DIRECTORY) + "/../shared/reports/";
-  if (!std::filesystem::exists(folder + "i_plain.mhd"))
+  const std::string folder = GetReports();
+  if (folder.empty())
   {
     GTEST_SKIP() << "no ../shared/reports";
   }
