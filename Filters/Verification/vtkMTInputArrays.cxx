@@ -130,9 +130,8 @@ vtkMTInputArrays::vtkMTInputArrays(vtkPolyData* inputMesh, const vtkMTSampledSur
 bool vtkMTInputArrays::IsSameAtPairs(
   const Column& input, const Column& model, const Describer& describe, std::string& difference) const
 {
-  const int components = model.IsIndexed
-    ? 3
-    : std::max(input.Array->GetNumberOfComponents(), model.Array->GetNumberOfComponents());
+  const int components =
+    model.IsIndexed ? 3 : std::max(input.Array->GetNumberOfComponents(), model.Array->GetNumberOfComponents());
   const double exact = IsWhole(input.Array) && IsWhole(model.Array) ? 0.0 : SingleRounding;
   const double allowed = input.What == Kind::Colors && input.Unit != model.Unit ? ByteRounding
     : input.What == Kind::Colors && (model.IsIndexed || input.IsSrgb)           ? ByteRounding
@@ -265,7 +264,8 @@ bool vtkMTInputArrays::IsSame(
     difference = "it has " + std::to_string(a) + " components, the model's " + std::to_string(b);
     return false;
   }
-  const bool isRanged = input.What == Kind::Plain || input.What == Kind::Coordinates || (input.What == Kind::Colors && !model.IsIndexed && !input.IsSrgb);
+  const bool isRanged = input.What == Kind::Plain || input.What == Kind::Coordinates ||
+    (input.What == Kind::Colors && !model.IsIndexed && !input.IsSrgb);
   return this->IsSameAtPairs(input, model, describe, difference) &&
     (!isRanged || this->IsSameInRange(input, model, difference));
 }
@@ -281,11 +281,11 @@ Kind GetKind(vtkDataSetAttributes* attributes, vtkDataArray* array, bool isOfCel
 {
   const int components = array->GetNumberOfComponents();
   const bool isReal = !IsWhole(array);
-  return HasNames(array) && components == 1 && isOfCells && isReal                 ? Kind::Names
-    : array == attributes->GetScalars() && components >= 3 && components <= 4      ? Kind::Colors
-    : array == attributes->GetNormals() && components == 3 && isReal               ? Kind::Directions
-    : array == attributes->GetTCoords() && isReal                                  ? Kind::Coordinates
-                                                                                   : Kind::Plain;
+  return HasNames(array) && components == 1 && isOfCells && isReal            ? Kind::Names
+    : array == attributes->GetScalars() && components >= 3 && components <= 4 ? Kind::Colors
+    : array == attributes->GetNormals() && components == 3 && isReal          ? Kind::Directions
+    : array == attributes->GetTCoords() && isReal                             ? Kind::Coordinates
+                                                                              : Kind::Plain;
 }
 
 double GetColorUnit(vtkDataArray* array)

@@ -39,7 +39,8 @@ private:
   struct Column;
   struct Spread;
   bool IsSame(const Column& input, const Column& model, const Describer& describe, std::string& difference) const;
-  bool IsSameAtPairs(const Column& input, const Column& model, const Describer& describe, std::string& difference) const;
+  bool IsSameAtPairs(
+    const Column& input, const Column& model, const Describer& describe, std::string& difference) const;
   bool IsSameInRange(const Column& input, const Column& model, std::string& difference) const;
   bool HasSameNames(const Column& input, const Column& model, std::string& difference) const;
   /// Whether the model has it; else why not, empty where it has none of its name.

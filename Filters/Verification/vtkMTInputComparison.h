@@ -5,8 +5,8 @@
  *
  * The checks: "input_triangles" (their number, with what the model's input report counts as dropped, each reason held
  * against the input's own count of it), "input_bounds", "input_area", "input_volume" (signed, about the middle of the
- * model), "input_orientation" (every triangle has its counterpart with the same corners in the same turn, as many as the
- * report does not count as turned) "input_arrays" (vtkMTInputArrays) and "labels" (vtkMTLabelCheck).
+ * model), "input_orientation" (every triangle has its counterpart with the same corners in the same turn, as many as
+ * the report does not count as turned) "input_arrays" (vtkMTInputArrays) and "labels" (vtkMTLabelCheck).
  *
  * What is allowed follows from the lattice: a point moves by at most MaximumShift, s, and by the rounding that its
  * reader states. So bounds may differ by s, the area by s (|u| + |v|) + 2 s^2 for each triangle with the sides u and v,

@@ -19,8 +19,8 @@ bool MayBeLabels(const vtkMTGraph& graph, const vtkMTArrayInfo& array)
 {
   const auto values = graph.Settings.find("values");
   const bool isWhole = array.Type != VTK_FLOAT && array.Type != VTK_DOUBLE;
-  const bool isChosen = values != graph.Settings.end() &&
-    ("," + values->second + ",").find("," + array.Name + ",") != std::string::npos;
+  const bool isChosen =
+    values != graph.Settings.end() && ("," + values->second + ",").find("," + array.Name + ",") != std::string::npos;
   return array.Role == vtkMTArrayInfo::Plain && isWhole && array.Components == 1 && !isChosen;
 }
 
@@ -113,7 +113,8 @@ bool vtkMTLabelCheck::Test(const vtkMTPatchSource& source, const vtkMTVerificati
         continue;
       }
       error.clear();
-      if (!progress("comparing labels", (arc / static_cast<double>(graph.Arcs.size()) + (isFinest ? 0.0 : 1.0)) / 2.0) ||
+      if (!progress(
+            "comparing labels", (arc / static_cast<double>(graph.Arcs.size()) + (isFinest ? 0.0 : 1.0)) / 2.0) ||
         !source.ReadPatch(arc, &labels.GetWanted(), patch, error))
       {
         return false;

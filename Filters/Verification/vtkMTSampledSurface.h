@@ -40,8 +40,8 @@ struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
    */
   bool Read(vtkMTTriangleStream& stream, const std::function<bool()>& goOn, std::string& error);
 
-  /// The builder leaves out what is far outside of everything else, where the graph's input report says so. What that is
-  /// shows here by itself: it lies at least one extent outside of the model.
+  /// The builder leaves out what is far outside of everything else, where the graph's input report says so. What that
+  /// is shows here by itself: it lies at least one extent outside of the model.
   void LeaveOutFar(const vtkMTGraph& graph);
 
   vtkMTRealBounds GetBounds() const;

@@ -132,8 +132,7 @@ bool vtkMTVerification::ReadInput(const Input& input, vtkMTSampledSurface& surfa
 }
 
 // An input without a surface is an error, as it is for the builder.
-bool vtkMTVerification::Compare(
-  vtkPolyData* mesh, double rounding, vtkMTSampledSurface& surface, std::string& error)
+bool vtkMTVerification::Compare(vtkPolyData* mesh, double rounding, vtkMTSampledSurface& surface, std::string& error)
 {
   vtkMTInputComparison comparison(this->Source, mesh, rounding, ComparedTrianglesLimit);
   if (!comparison.Test(this->NextStep(), this->Checked.Checks, error))
@@ -143,7 +142,8 @@ bool vtkMTVerification::Compare(
   surface = comparison.TakeSurface();
   if (surface.Triangles.empty())
   {
-    error = this->Setting.InputName + ": has no triangle with three finite, different corners; name a mesh that has some";
+    error =
+      this->Setting.InputName + ": has no triangle with three finite, different corners; name a mesh that has some";
     return false;
   }
   this->Checked.CoordinateAllowance = comparison.GetAllowance();

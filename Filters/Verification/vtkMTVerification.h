@@ -4,10 +4,10 @@
  * @brief the sequence of checks behind vtkMultiTriangulationVerifier, as plain data in and plain data out
  *
  * First the model by itself (vtkMTStructureCheck). When all of it is sound, and an input is given, this is read another
- * way than the builder's (vtkMTVerifyInput) and held against the finest level (vtkMTInputComparison); then the certified
- * errors (vtkMTErrorSampling): for every level, and for some random cuts. An input that cannot be read another way is
- * read by the opener for the errors alone, and the check "input_reading" says so; it has tested nothing then. A model that is not sound has no cuts and distances
- * that would mean anything, so its input is not even opened.
+ * way than the builder's (vtkMTVerifyInput) and held against the finest level (vtkMTInputComparison); then the
+ * certified errors (vtkMTErrorSampling): for every level, and for some random cuts. An input that cannot be read
+ * another way is read by the opener for the errors alone, and the check "input_reading" says so; it has tested nothing
+ * then. A model that is not sound has no cuts and distances that would mean anything, so its input is not even opened.
  */
 #ifndef vtkMTVerification_h
 #define vtkMTVerification_h

@@ -112,8 +112,7 @@ void ReadTerrain(const std::vector<std::string>& paths, const vtkMTVerifyInput::
 }
 }
 
-bool vtkMTVerifyInput::Read(
-  const Options& options, vtkPolyData* out, std::vector<Source>& sources, double& rounding)
+bool vtkMTVerifyInput::Read(const Options& options, vtkPolyData* out, std::vector<Source>& sources, double& rounding)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> meshes;
   std::vector<std::string> tiles;

@@ -7,7 +7,7 @@
  * by VTK's readers, PLY, STL, OBJ, OFF and glTF by small plain ones that were written from the specifications alone,
  * volumes and terrain by vtkMTVerifyVolumeInput and vtkMTVerifyTerrainInput. A file may be compressed by gzip. Several
  * inputs become one mesh with a cell array PartId; all tiles of terrain are one input. What cannot be read here has a
- * reason; then nothing about the input can be said to be checked.
+ * reason; then the input counts as not checked.
  */
 #ifndef vtkMTVerifyInput_h
 #define vtkMTVerifyInput_h

@@ -87,8 +87,8 @@ bool vtkMTVerifyPolygons::IsEar(const std::vector<Corner>& corners, std::size_t 
       }
     }
     const double otherSide = Turn(c, a, y);
-    const bool isCrossing = ((side > 0.0 && otherSide < 0.0) || (side < 0.0 && otherSide > 0.0)) &&
-      Turn(x, y, a) * Turn(x, y, c) < 0.0;
+    const bool isCrossing =
+      ((side > 0.0 && otherSide < 0.0) || (side < 0.0 && otherSide > 0.0)) && Turn(x, y, a) * Turn(x, y, c) < 0.0;
     if (isCrossing)
     {
       return false;
@@ -122,8 +122,7 @@ int vtkMTVerifyPolygons::FindEar(const std::vector<Corner>& corners, const EdgeT
   return best;
 }
 
-bool vtkMTVerifyPolygons::Clip(
-  const Polygon& polygon, std::vector<vtkMTTriangle>& triangles, bool& isOfModel) const
+bool vtkMTVerifyPolygons::Clip(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles, bool& isOfModel) const
 {
   std::vector<Corner> corners = polygon.Corners;
   while (corners.size() > 3)
@@ -207,8 +206,7 @@ void vtkMTVerifyPolygons::AddPolygon(const std::vector<vtkIdType>& ids, vtkIdTyp
   const Polygon polygon = Project(ids, surface);
   std::vector<vtkMTTriangle> triangles;
   bool isOfModel = true;
-  const bool isSimple =
-    polygon.Area > 0.0 && ids.size() <= CornersLimit && this->Clip(polygon, triangles, isOfModel);
+  const bool isSimple = polygon.Area > 0.0 && ids.size() <= CornersLimit && this->Clip(polygon, triangles, isOfModel);
   if (!isSimple)
   {
     ++this->Crossing;
@@ -269,8 +267,8 @@ void vtkMTVerifyPolygons::Split(vtkPolyData* mesh, vtkMTSampledSurface& surface)
     }
     else
     {
-      this->AddTriangle({ static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
-                          static_cast<std::uint32_t>(ids[2]) },
+      this->AddTriangle(
+        { static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]), static_cast<std::uint32_t>(ids[2]) },
         cell, 0.0, surface);
     }
   };

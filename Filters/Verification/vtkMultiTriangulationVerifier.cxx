@@ -174,14 +174,13 @@ void vtkMultiTriangulationVerifier::SetInputVerticalScale(double scale)
   }
 }
 
-bool vtkMultiTriangulationVerifier::Run(
-  const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput)
+bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput)
 {
   vtkMTVerification::Settings settings;
   settings.Cuts = static_cast<std::size_t>(this->NumberOfCuts);
   settings.Samples = static_cast<std::size_t>(this->NumberOfSamples);
   settings.Seed = this->Seed;
-  settings.InputName = this->InputName;
+  settings.InputName = this->InputFileNames.empty() ? this->InputName : this->InputFileNames.front();
   vtkMTVerification verification(source, settings,
     [this](const std::string& step, double share)
     {
@@ -329,7 +328,8 @@ void vtkMultiTriangulationVerifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "InputName: " << this->InputName << "\n";
   os << indent << "InputFileNames: " << this->InputFileNames.size() << "\n";
-  os << indent << "InputIsoValue: " << (this->HasInputIsoValue ? std::to_string(this->InputIsoValue) : "(none)") << "\n";
+  os << indent << "InputIsoValue: " << (this->HasInputIsoValue ? std::to_string(this->InputIsoValue) : "(none)")
+     << "\n";
   os << indent << "InputVerticalScale: " << this->InputVerticalScale << "\n";
   os << indent << "InputDegrees: " << (this->InputDegrees ? "on" : "off") << "\n";
   os << indent << "InputChecked: " << (this->InputChecked ? "yes" : "no") << "\n";

@@ -16,12 +16,12 @@
  * It is independent of the builder: it has its own surface, sampling and closest point search, its own readers of the
  * input's files, and knows the model through vtkMTPatchSource alone. Files (AddInputFileName) are read by VTK's readers
  * of VTK's formats and by small ones that follow the formats' specifications; "input_reading" says by which. Then, and
- * for a mesh on port 1, the finest level is held against the input: "input_triangles" (their number, with what the input
- * report counts as dropped), "input_bounds", "input_area", "input_volume" (signed), "input_orientation" (each triangle
- * has its counterpart, turned the same way) "input_arrays" (names, values, ranges, sets of labels) and "labels" (coarse levels hold no others).
- * What may differ follows from the lattice (GetCoordinateAllowance). Files that cannot be read another way than the builder's are not
- * checked so: "input_reading" has tested nothing and says why, GetInputChecked is false, and IsValid says no more than
- * that nothing wrong was found.
+ * for a mesh on port 1, the finest level is held against the input: "input_triangles" (their number, with what the
+ * input report counts as dropped), "input_bounds", "input_area", "input_volume" (signed), "input_orientation" (each
+ * triangle has its counterpart, turned the same way) "input_arrays" (names, values, ranges, sets of labels) and
+ * "labels" (coarse levels hold no others). What may differ follows from the lattice (GetCoordinateAllowance). Files
+ * that cannot be read another way than the builder's are not checked so: "input_reading" has tested nothing and says
+ * why, GetInputChecked is false, and IsValid says no more than that nothing wrong was found.
  *
  * As a filter it takes a vtkMultiTriangulation on port 0 and, optionally, the input mesh as vtkPolyData on port 1, and
  * gives a vtkTable with a row for each check and the columns "name" (string), "tested" and "violations" (counts),
@@ -95,7 +95,8 @@ public:
   ///@}
 
   ///@{
-  /// What messages call the input, such as a file name. Default: "the input mesh".
+  /// What messages call the input, such as a file name. Default: "the input mesh"; the first input file's name where
+  /// there is one.
   vtkSetStdStringFromCharMacro(InputName);
   vtkGetCharFromStdStringMacro(InputName);
   ///@}

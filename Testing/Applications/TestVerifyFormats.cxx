@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // For each format: a model is verified against the file that it was built from, and against files that differ in one
-// way, as if the model had been read wrongly. Each difference must be found, and said.
+// way, as if the model had been read wrongly. Each difference must be found and reported.
 #include "MTRunBmt.h"
 
 #include "vtkMTMeshWriter.h"
@@ -49,7 +49,8 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
     {
       const double a = 2 * 3.14159265358979 * i / Around, b = 3.14159265358979 * (static_cast<double>(j) / Up - 0.5);
       const double r = 1 + 0.2 * std::sin(a + 0.3) + 0.1 * std::cos(3 * a) + 0.1 * std::sin(4 * b);
-      add(r * std::cos(a) * std::cos(b), 1.3 * r * std::sin(a) * std::cos(b), 1.1 * r * std::sin(b) + 0.1 * std::cos(a));
+      add(
+        r * std::cos(a) * std::cos(b), 1.3 * r * std::sin(a) * std::cos(b), 1.1 * r * std::sin(b) + 0.1 * std::cos(a));
     }
   }
   add(0.0, 0.1, 1.4);
@@ -187,8 +188,8 @@ class VerifyFormats : public MTBmtTest
 protected:
   MTRun Verify(const std::string& input) const
   {
-    return this->Bmt({ "verify", this->Path("model.bmt"), "--input", this->Path(input), "--cuts", "2", "--samples",
-      "500", "--json" });
+    return this->Bmt(
+      { "verify", this->Path("model.bmt"), "--input", this->Path(input), "--cuts", "2", "--samples", "500", "--json" });
   }
 
   void Check(const std::string& ending, bool hasColors, bool hasLabels) const
@@ -271,8 +272,7 @@ TEST_F(VerifyFormats, PartsAreHeldAgainstTheirFiles)
   Write(this->Path("a.ply"), mesh);
   Move([](double x[3]) { x[0] += 5.0; })(mesh);
   Write(this->Path("b.vtp"), mesh);
-  ASSERT_EQ(
-    this->Bmt({ "build", this->Path("a.ply"), this->Path("b.vtp"), "-o", this->Path("model.bmt") }).Exit, 0);
+  ASSERT_EQ(this->Bmt({ "build", this->Path("a.ply"), this->Path("b.vtp"), "-o", this->Path("model.bmt") }).Exit, 0);
   const auto verify = [this](const char* first, const char* second)
   {
     return this->Bmt({ "verify", this->Path("model.bmt"), "--input", this->Path(first), "--input", this->Path(second),

@@ -73,8 +73,8 @@ protected:
       const vtkMTTriangle& c = reading.Surface.Triangles[t];
       const vtkMTRealPoint &a = x[c[0]], &b = x[c[1]], &d = x[c[2]];
       reading.Area += reading.Surface.GetArea(t);
-      reading.Volume += (a[0] * (b[1] * d[2] - b[2] * d[1]) + a[1] * (b[2] * d[0] - b[0] * d[2]) +
-                          a[2] * (b[0] * d[1] - b[1] * d[0])) /
+      reading.Volume +=
+        (a[0] * (b[1] * d[2] - b[2] * d[1]) + a[1] * (b[2] * d[0] - b[0] * d[2]) + a[2] * (b[0] * d[1] - b[1] * d[0])) /
         6.0;
     }
   }
@@ -257,8 +257,9 @@ TEST_F(VerifyInput, QuirksOfObjAreRead)
 
 TEST_F(VerifyInput, APolygonWithAHoleHasTheRightArea)
 {
-  this->Write("keyhole.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n"
-                             "f 1 2 3 4 1 5 6 7 8 5\n");
+  this->Write("keyhole.obj",
+    "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n"
+    "f 1 2 3 4 1 5 6 7 8 5\n");
   Reading reading;
   this->Read("keyhole.obj", reading);
   EXPECT_EQ(reading.Surface.Triangles.size(), 8u);
@@ -272,7 +273,8 @@ TEST_F(VerifyInput, APolygonWithAHoleHasTheRightArea)
 
 TEST_F(VerifyInput, NamesAndColorsOfObjAreRead)
 {
-  this->Write("names.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng inlet\nusemtl steel\nf 1 2 3\ng walls\nf 1 2 4\n");
+  this->Write(
+    "names.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng inlet\nusemtl steel\nf 1 2 3\ng walls\nf 1 2 4\n");
   Reading reading;
   this->Read("names.obj", reading);
   vtkDataArray* groups = reading.Mesh->GetCellData()->GetArray("GroupIds");
@@ -379,7 +381,8 @@ TEST_F(VerifyInput, GltfHasItsNodesAndItsSparseAccessors)
   this->ExpectCube("plain.glb");
   this->Write("mirror.glb", GltfCube(R"({"mesh":0,"scale":[-1,2,1]})", Accessors));
   this->ExpectCube("mirror.glb", 2.0);
-  this->Write("turned.glb", GltfCube(R"({"mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476]})", Accessors));
+  this->Write(
+    "turned.glb", GltfCube(R"({"mesh":0,"rotation":[0,0,0.7071067811865476,0.7071067811865476]})", Accessors));
   Reading turned;
   this->Read("turned.glb", turned);
   EXPECT_NEAR(turned.Surface.GetBounds().Minimum[0], -1.0, 1e-6);
@@ -401,8 +404,7 @@ TEST_F(VerifyInput, WhatIsNotReadHasAReason)
   for (const auto& [name, reason] : required)
   {
     Reading reading;
-    this->Write("x.glb",
-      GltfCube(R"({"mesh":0})", Accessors + R"("extensionsRequired":[")" + name + R"("],)"));
+    this->Write("x.glb", GltfCube(R"({"mesh":0})", Accessors + R"("extensionsRequired":[")" + name + R"("],)"));
     this->Read("x.glb", reading);
     EXPECT_FALSE(reading.IsRead);
     EXPECT_NE(reading.Source.Reason.find(reason), std::string::npos) << reading.Source.Reason;

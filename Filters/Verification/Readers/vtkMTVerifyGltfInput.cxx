@@ -108,7 +108,7 @@ public:
   {
     const Json& scene = this->Root.Get("scenes").At(this->Root.GetNumber("scene", 0.0));
     std::vector<double> roots = scene.GetNumbers("nodes", {});
-    if (this->Root.Get("scenes").Items.empty()) // then every node that is nobody's child
+    if (this->Root.Get("scenes").Items.empty()) // then every node without a parent
     {
       std::vector<double> children;
       for (const Json& node : this->Root.Get("nodes").Items)
@@ -166,8 +166,8 @@ private:
       }
     }
     const std::vector<double> children = node.GetNumbers("children", {});
-    return std::all_of(children.begin(), children.end(),
-      [&](double child) { return this->AddNode(child, matrix, depth + 1); });
+    return std::all_of(
+      children.begin(), children.end(), [&](double child) { return this->AddNode(child, matrix, depth + 1); });
   }
 
   bool GetInstances(const Json& extension, std::vector<Affine>& instances)
@@ -279,8 +279,8 @@ private:
     array.Values.resize(first * components, NaN);
     for (std::size_t i = 0; i < count; ++i)
     {
-      std::vector<double> tuple(values.Values.begin() + i * values.Components,
-        values.Values.begin() + (i + 1) * values.Components);
+      std::vector<double> tuple(
+        values.Values.begin() + i * values.Components, values.Values.begin() + (i + 1) * values.Components);
       tuple.resize(components, 1.0); // alpha
       this->Turn(name, kind, primitive, matrix, tuple);
       array.Values.insert(array.Values.end(), tuple.begin(), tuple.end());
@@ -318,8 +318,7 @@ private:
     }
   }
 
-  bool AddTriangles(
-    const Json& primitive, double mode, const Affine& matrix, std::size_t first, std::size_t count)
+  bool AddTriangles(const Json& primitive, double mode, const Affine& matrix, std::size_t first, std::size_t count)
   {
     Accessor indices;
     if (primitive.Has("indices"))
@@ -406,8 +405,8 @@ bool IsKnown(const std::string& extension)
   const char* const prefixes[] = { "KHR_materials_", "KHR_texture_", "KHR_lights_", "EXT_texture_", "KHR_xmp",
     "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "EXT_mesh_features", "EXT_structural_metadata", "MSFT_texture",
     "KHR_animation_pointer", "KHR_node_visibility" };
-  return std::any_of(std::begin(prefixes), std::end(prefixes),
-    [&](const char* prefix) { return extension.rfind(prefix, 0) == 0; });
+  return std::any_of(
+    std::begin(prefixes), std::end(prefixes), [&](const char* prefix) { return extension.rfind(prefix, 0) == 0; });
 }
 }
 

@@ -124,8 +124,8 @@ private:
         part = rest.substr(0, slash);
         rest.remove_prefix(std::min(slash + 1, rest.size()));
       }
-      this->Corners.push_back({ Resolve(parts[0], this->Places.size()),
-        Resolve(parts[1], this->Coordinates.size()), Resolve(parts[2], this->Normals.size()) });
+      this->Corners.push_back({ Resolve(parts[0], this->Places.size()), Resolve(parts[1], this->Coordinates.size()),
+        Resolve(parts[2], this->Normals.size()) });
     }
     if (this->Corners.size() - first < 3)
     {
@@ -139,8 +139,8 @@ private:
   }
 
   template <std::size_t N>
-  void GiveArray(const std::string& name, vtkMTVerifyMesh::KindType kind, const std::vector<Corner>& corners,
-    int which, int components, const std::vector<std::array<double, N>>& values)
+  void GiveArray(const std::string& name, vtkMTVerifyMesh::KindType kind, const std::vector<Corner>& corners, int which,
+    int components, const std::vector<std::array<double, N>>& values)
   {
     vtkMTVerifyMesh::Array& array = this->Mesh.GetArray(name, kind, false, components);
     for (const Corner& corner : corners)

@@ -26,8 +26,7 @@ std::string DecodePercent(const std::string& uri)
   for (std::size_t i = 0; i < uri.size(); ++i)
   {
     const std::string digits = uri[i] == '%' ? uri.substr(i + 1, 2) : "";
-    const bool isCode =
-      digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    const bool isCode = digits.size() == 2 && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
     text += isCode ? static_cast<char>(std::stoi(digits, nullptr, 16)) : uri[i];
     i += isCode ? 2 : 0;
   }
@@ -223,10 +222,10 @@ bool vtkMTVerifyGltfFile::Substitute(
   const auto components = static_cast<std::size_t>(accessor.Components);
   const vtkMTVerifyJson& indices = sparse.Get("indices");
   std::vector<double> where, values;
-  if (!this->ReadNumbers(indices, indices.GetNumber("componentType", 0.0), 1, static_cast<std::size_t>(count), false,
-        where, error) ||
-    !this->ReadNumbers(sparse.Get("values"), componentType, components, static_cast<std::size_t>(count), isNormalized,
-      values, error))
+  if (!this->ReadNumbers(
+        indices, indices.GetNumber("componentType", 0.0), 1, static_cast<std::size_t>(count), false, where, error) ||
+    !this->ReadNumbers(
+      sparse.Get("values"), componentType, components, static_cast<std::size_t>(count), isNormalized, values, error))
   {
     return false;
   }

@@ -35,8 +35,8 @@ private:
   const std::string* GetBuffer(double index, std::string& error);
   bool ReadNumbers(const vtkMTVerifyJson& where, double componentType, std::size_t components, std::size_t count,
     bool isNormalized, std::vector<double>& values, std::string& error);
-  bool Substitute(const vtkMTVerifyJson& sparse, double componentType, bool isNormalized, Accessor& accessor,
-    std::string& error);
+  bool Substitute(
+    const vtkMTVerifyJson& sparse, double componentType, bool isNormalized, Accessor& accessor, std::string& error);
 
   std::string Path;
   vtkMTVerifyJson Root;

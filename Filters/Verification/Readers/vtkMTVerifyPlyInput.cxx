@@ -82,7 +82,8 @@ public:
     for (std::size_t p = 0; p < element.Properties.size(); ++p)
     {
       const Property& property = element.Properties[p];
-      if (property.CountType.empty() ? !this->Read(property.Type, row.Values[p]) : !this->ReadList(property, row.Lists[p]))
+      if (property.CountType.empty() ? !this->Read(property.Type, row.Values[p])
+                                     : !this->ReadList(property, row.Lists[p]))
       {
         return false;
       }
@@ -143,8 +144,7 @@ private:
   std::size_t Word = 0;
 };
 
-bool ReadHeader(
-  vtkMTVerifyText& lines, std::string& format, std::vector<Element>& elements, std::string& error)
+bool ReadHeader(vtkMTVerifyText& lines, std::string& format, std::vector<Element>& elements, std::string& error)
 {
   std::string_view line;
   while (lines.Next(line))
@@ -193,8 +193,7 @@ const std::vector<Group> Groups = { { "Normals", vtkMTVerifyMesh::Normals, { "nx
   { "RGB", vtkMTVerifyMesh::Colors, { "red", "green", "blue" } },
   { "RGBA", vtkMTVerifyMesh::Colors, { "diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha" } },
   { "RGB", vtkMTVerifyMesh::Colors, { "diffuse_red", "diffuse_green", "diffuse_blue" } },
-  { "RGBA", vtkMTVerifyMesh::Colors, { "r", "g", "b", "a" } },
-  { "RGB", vtkMTVerifyMesh::Colors, { "r", "g", "b" } },
+  { "RGBA", vtkMTVerifyMesh::Colors, { "r", "g", "b", "a" } }, { "RGB", vtkMTVerifyMesh::Colors, { "r", "g", "b" } },
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "s", "t" } }, { "TCoords", vtkMTVerifyMesh::Coordinates, { "u", "v" } },
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "texture_u", "texture_v" } },
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "texture_s", "texture_t" } } };
@@ -339,7 +338,8 @@ bool ReadVertices(const Element& element, Body& body, vtkMTVerifyMesh& mesh, std
 
 bool ReadFaces(const Element& element, Body& body, vtkMTVerifyMesh& mesh, std::string& error)
 {
-  const auto list = std::find_if(element.Properties.begin(), element.Properties.end(), [](const Property& property)
+  const auto list = std::find_if(element.Properties.begin(), element.Properties.end(),
+    [](const Property& property)
     { return !property.CountType.empty() && property.Name.compare(0, 8, "vertex_i") == 0; });
   if (list == element.Properties.end())
   {

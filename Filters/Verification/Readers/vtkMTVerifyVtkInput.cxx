@@ -4,10 +4,10 @@
 #include "vtkMTVerifyMesh.h"
 #include "vtkMTVerifyText.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -139,11 +139,11 @@ vtkMTVerifyMesh::KindType GetKind(vtkDataSetAttributes* attributes, vtkDataArray
 {
   auto* table = array->GetLookupTable();
   const bool isColor = attributes->GetScalars() == array && array->GetNumberOfComponents() >= 3;
-  return attributes->GetNormals() == array          ? vtkMTVerifyMesh::Normals
-    : attributes->GetTCoords() == array             ? vtkMTVerifyMesh::Coordinates
-    : isColor                                       ? vtkMTVerifyMesh::Colors
+  return attributes->GetNormals() == array             ? vtkMTVerifyMesh::Normals
+    : attributes->GetTCoords() == array                ? vtkMTVerifyMesh::Coordinates
+    : isColor                                          ? vtkMTVerifyMesh::Colors
     : table && table->GetNumberOfAnnotatedValues() > 0 ? vtkMTVerifyMesh::Names
-                                                    : vtkMTVerifyMesh::Plain;
+                                                       : vtkMTVerifyMesh::Plain;
 }
 
 void CollectArrays(
@@ -216,8 +216,7 @@ void vtkMTVerifyVtkInput::Append(const std::vector<vtkPolyData*>& parts, bool ad
     {
       vtkMTVerifyMesh::Array& array = mesh.Arrays[a];
       const std::size_t lacking = array.IsOfCells ? before : static_cast<std::size_t>(first);
-      array.Values.insert(
-        array.Values.begin(), lacking * array.Components, std::numeric_limits<double>::quiet_NaN());
+      array.Values.insert(array.Values.begin(), lacking * array.Components, std::numeric_limits<double>::quiet_NaN());
     }
     mesh.Polygons.insert(mesh.Polygons.end(), polygons.begin(), polygons.end());
     partOfCell.resize(mesh.Polygons.size(), static_cast<double>(p));

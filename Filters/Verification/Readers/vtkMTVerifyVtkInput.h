@@ -23,8 +23,8 @@ public:
   static bool Read(const std::string& path, vtkPolyData* out, std::string& error);
   /// By the ending of the name; null where it is none of these formats.
   static const char* GetReader(const std::string& ending);
-  /// One after the other. Arrays are matched by name and components and become doubles; with addPart, cells get an array
-  /// PartId, and an earlier one is called InputPartId.
+  /// One after the other. Arrays are matched by name and components and become doubles; with addPart, cells get an
+  /// array PartId, and an earlier one is called InputPartId.
   static void Append(const std::vector<vtkPolyData*>& parts, bool addPart, vtkPolyData* out);
 };
 
