@@ -97,6 +97,11 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
   }
   const bool isChosen = error < std::numeric_limits<double>::infinity();
   const vtkMTGraph& graph = isChosen ? source->GetGraph() : source->GetKnownGraph();
+  if (isChosen && !graph.IsWhole())
+  {
+    vtkErrorMacro(<< source->GetGraphError());
+    return false;
+  }
   vtkMTCut cut(graph);
   for (std::uint32_t node = 1; isChosen && node < graph.Nodes.size(); ++node)
   {

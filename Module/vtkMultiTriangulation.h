@@ -12,7 +12,7 @@
  * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it. A filter that does not know
  * this class works on the points and cells, which are those of the coarsest cut unless SetSource was asked for a finer
  * one (SetOutputError of vtkMultiTriangulationReader); a vtkMultiTriangulationCutFilter before it gives it any other
- * cut.
+ * cut. The algorithm that made the object warns of the first such filter that takes the coarsest cut from its output.
  *
  * Placement: the patches lie on the lattice and stay there. The object has an affine map from the lattice's coordinates
  * to its own, the frame: that of the model, the identity where it has none, and what ApplyTransform adds. Points and

@@ -11,6 +11,7 @@
 #include "vtkMTMeshMemory.h"
 #include "vtkMTPatchSink.h"
 #include "vtkMTPatchStore.h"
+#include "vtkMTPatchUse.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTSequenceState.h"
 #include "vtkMTStageTimes.h"
@@ -308,7 +309,15 @@ int vtkMultiTriangulationBuilder::RequestData(
     return 0;
   }
   const bool filled = output->SetSource(store);
+  vtkMTPatchUse::Warn(this, outputVector);
   return filled ? 1 : 0;
+}
+
+int vtkMultiTriangulationBuilder::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMTPatchUse::Check(this, outputVector, port);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)

@@ -8,6 +8,7 @@
 #include "vtkMTFunctionSigns.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTPatchUse.h"
 #include "vtkMTPlacedGraph.h"
 #include "vtkMTRegionCut.h"
 #include "vtkMTTargetCut.h"
@@ -241,6 +242,14 @@ vtkMTimeType vtkMultiTriangulationCutFilter::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+int vtkMultiTriangulationCutFilter::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMTPatchUse::Announce(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationCutFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
@@ -406,6 +415,10 @@ int vtkMultiTriangulationCutFilter::RequestData(
   if (!source)
   {
     return this->Fail(vtkErrorCode::UnknownError, "the input has no patches, only the mesh that it holds itself");
+  }
+  if (!source->GetGraph().IsWhole())
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, source->GetGraphError());
   }
   Model model;
   model.Placed = vtkMTPlacedGraph(*input);

@@ -7,6 +7,7 @@
 #include "vtkMTFunctionSigns.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTPatchUse.h"
 #include "vtkMTPlacedGraph.h"
 #include "vtkMTRegionCut.h"
 #include "vtkMTSectionLines.h"
@@ -136,6 +137,14 @@ vtkMTimeType vtkMultiTriangulationSection::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+int vtkMultiTriangulationSection::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMTPatchUse::Announce(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationSection::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
@@ -164,6 +173,10 @@ int vtkMultiTriangulationSection::RequestData(
   if (!source)
   {
     return this->Fail(vtkErrorCode::UnknownError, "the input has no patches, only the mesh that it holds itself");
+  }
+  if (!source->GetGraph().IsWhole())
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, source->GetGraphError());
   }
   if (!this->ImplicitFunction)
   {

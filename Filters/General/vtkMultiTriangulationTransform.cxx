@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationTransform.h"
 
+#include "vtkMTPatchUse.h"
 #include "vtkMTPlacement.h"
 #include "vtkMultiTriangulation.h"
 
@@ -88,6 +89,15 @@ vtkTypeBool vtkMultiTriangulationTransform::ProcessRequest(
 }
 
 //------------------------------------------------------------------------------
+int vtkMultiTriangulationTransform::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMTPatchUse::Announce(inputVector);
+  vtkMTPatchUse::Check(this, outputVector, port);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -113,5 +123,6 @@ int vtkMultiTriangulationTransform::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
+  vtkMTPatchUse::Warn(this, outputVector);
   return 1;
 }

@@ -166,8 +166,9 @@ bool vtkMTVerifyTerrainTiffSamples::ReadLayout(std::string& error)
   const bool isTiled = this->Tiff.Has(322);
   const double blockColumns = isTiled ? this->Tiff.GetNumber(322, 0) : columns;
   const double blockRows = isTiled ? this->Tiff.GetNumber(323, 0) : std::min(this->Tiff.GetNumber(278, rows), rows);
-  const double most = 1 << 30;
-  if (!(columns >= 1 && rows >= 1 && blockColumns >= 1 && blockRows >= 1) || columns * rows > 4 * most ||
+  // Before memory is taken: a directory may promise anything, and no compression here gains more than this.
+  const double most = 4096.0 * static_cast<double>(this->Tiff.GetBytes().size());
+  if (!(columns >= 1 && rows >= 1 && blockColumns >= 1 && blockRows >= 1) || columns * rows > most ||
     blockColumns * blockRows > most)
   {
     error = "its numbers of columns and rows are out of range";

@@ -11,7 +11,7 @@ bool vtkMTVerifyVolumeHeader::SetSizes(const std::vector<std::int64_t>& sizes, s
   {
     if (size < 1 || size > VTK_INT_MAX || product > most / size)
     {
-      error = "a number of samples is " + std::to_string(size) + ", out of range";
+      error = "its numbers of samples are out of range";
       return false;
     }
     product *= size;

@@ -4,6 +4,7 @@
 #include "vtkMTFileSink.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTPatchUse.h"
 #include "vtkMultiTriangulation.h"
 
 #include "vtkErrorCode.h"
@@ -26,6 +27,13 @@ void vtkMultiTriangulationWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
+
+int vtkMultiTriangulationWriter::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMTPatchUse::Announce(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 int vtkMultiTriangulationWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -61,6 +69,12 @@ void vtkMultiTriangulationWriter::WriteData()
 void vtkMultiTriangulationWriter::WritePatches(const vtkMTPatchSource& source, const vtkMultiTriangulation& model)
 {
   const vtkMTGraph& graph = source.GetGraph();
+  if (!graph.IsWhole())
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< source.GetGraphError());
+    return;
+  }
   vtkMTFileSink sink(this->FileName);
   if (!sink.Begin(graph.Arrays))
   {
