@@ -18,6 +18,8 @@
 
 namespace
 {
+constexpr int Unchecked = 3; // an exit code beside bmtExit's: nothing wrong was found, but the input was not checked
+
 struct Options
 {
   std::string File;
@@ -179,7 +181,7 @@ int Report(const Options& options, const bmtContext& context, const bmtJson& res
         check.value("message", "") + (isOpen ? "" : "; do not trust this file, build it anew"));
     }
   }
-  return result["ok"].is_null() ? 3 : (result["ok"] ? bmtExit::Success : bmtExit::Failure);
+  return result["ok"].is_null() ? Unchecked : (result["ok"] ? bmtExit::Success : bmtExit::Failure);
 }
 }
 

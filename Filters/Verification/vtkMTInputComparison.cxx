@@ -156,11 +156,28 @@ bool vtkMTInputComparison::Load(const vtkMTVerificationProgress& progress, std::
   this->Allowance = graph.Lattice.MaximumShift + (this->Rounding + vtkMTMeasuringFrame::Tolerance) * largest;
   vtkMTRealBounds both = this->Model.GetBounds();
   both.Add(bounds);
+  this->OpenTriangles += this->Rounding > 0.0 ? this->CountSmall() : 0;
   this->Frame = vtkMTMeasuringFrame::FromBounds(both);
   this->Input = this->Original;
   this->Input.Transform(this->Frame);
   this->Model.Transform(this->Frame);
   return true;
+}
+
+// Triangles that are degenerate, or may be where coordinates are rounded.
+std::int64_t vtkMTInputComparison::CountSmall() const
+{
+  const auto isSmall = [this](const vtkMTTriangle& t)
+  {
+    const auto isShort = [&](int i)
+    {
+      return Length(Subtract(this->Original.Points[t[i]], this->Original.Points[t[(i + 1) % 3]])) <=
+        2.0 * this->Allowance;
+    };
+    return isShort(0) || isShort(1) || isShort(2);
+  };
+  return this->Original.Degenerate +
+    std::count_if(this->Original.Triangles.begin(), this->Original.Triangles.end(), isSmall);
 }
 
 vtkMTInputComparison::Figures vtkMTInputComparison::Measure(const vtkMTSampledSurface& surface) const

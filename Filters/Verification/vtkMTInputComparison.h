@@ -69,6 +69,7 @@ public:
 
 private:
   bool Load(const vtkMTVerificationProgress& progress, std::string& error);
+  std::int64_t CountSmall() const;
   Figures Measure(const vtkMTSampledSurface& surface) const;
   std::int64_t GetCount(const std::string& name) const;
   vtkMTVerificationCheck TestTriangles() const;
