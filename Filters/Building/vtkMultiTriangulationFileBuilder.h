@@ -136,6 +136,16 @@ public:
   ///@}
 
   ///@{
+  /// Which arrays are labels and which are values, in place of what their types and names say; see
+  /// vtkMultiTriangulationBuilder. A name of which there is no array, or none that is kept, is an error (ArrayError).
+  /// Default: none.
+  void AddLabelArrayName(const char* name);
+  void AddValueArrayName(const char* name);
+  void RemoveAllLabelArrayNames();
+  void RemoveAllValueArrayNames();
+  ///@}
+
+  ///@{
   /// Whether the input's cell ids are kept, by which picking finds the input's cells. Default on.
   vtkSetMacro(KeepIds, bool);
   vtkGetMacro(KeepIds, bool);
