@@ -239,17 +239,16 @@ void AddSettings(CLI::App& command, Builder* builder)
       "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
     ->check(CLI::IsMember({ "none", "fast", "small" }))
     ->default_str("fast");
-  command
-    .add_option_function<std::vector<std::string>>(
-      "--arrays",
-      [=](const std::vector<std::string>& names)
-      {
-        builder->KeepAllArraysOff();
-        std::for_each(
-          names.begin(), names.end(), [=](const std::string& name) { builder->AddArrayName(name.c_str()); });
-      },
-      "The input's arrays to keep, with commas between; \"\": none")
-    ->delimiter(',');
+  const auto list = [&](const char* name, void (Builder::*add)(const char*), const char* text)
+  {
+    const auto set = [=](const std::vector<std::string>& names)
+    { std::for_each(names.begin(), names.end(), [=](const std::string& one) { (builder->*add)(one.c_str()); }); };
+    return command.add_option_function<std::vector<std::string>>(name, set, text)->delimiter(',');
+  };
+  list("--arrays", &Builder::AddArrayName, "The input's arrays to keep, with commas between; \"\": none")
+    ->each([=](const std::string&) { builder->KeepAllArraysOff(); });
+  list("--labels", &Builder::AddLabelArrayName, "Arrays that are labels, which never mix: whatever their type");
+  list("--values", &Builder::AddValueArrayName, "Arrays that are values, which have a mean: integers too");
   const auto flag = [&](const char* name, void (Builder::*set)(), const char* text)
   {
     command.add_flag_callback(

@@ -9,8 +9,8 @@
 
 const char* bmtGetInputKinds()
 {
-  return "PLY, STL, OBJ, VTP, VTK, glTF, GLB; volumes with --iso (.vti, .mhd, .mha, .nrrd, .nhdr, .nii, .nii.gz, "
-         ".vtk); "
+  return "PLY, STL, OBJ, OFF, VTP, VTU, VTM, VTK, glTF, GLB, all but VTM as .gz too; "
+         "volumes with --iso (.vti, .mhd, .mha, .nrrd, .nhdr, .nii, .nii.gz, .vtk); "
          "tiles of terrain (.hgt, .hgt.gz, .dem, and .tif where GDAL is built in)";
 }
 

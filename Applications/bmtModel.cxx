@@ -53,11 +53,13 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
   for (const vtkMTArrayInfo& array : arrays)
   {
     static const char* const resampling[] = { "interpolate", "nearest", "direction" };
-    static const char* const roles[] = { "plain", "input_cell_ids", "made_normals", "exact_points" };
+    static const char* const roles[] = { "plain", "input_cell_ids", "made_normals", "exact_points", "input_point_ids",
+      "materials", "heights" };
     list.push_back(
       { { "name", array.Name }, { "association", array.Association == vtkMTArrayInfo::Point ? "point" : "cell" },
         { "type", vtkImageScalarTypeNameMacro(array.Type) }, { "components", array.Components },
-        { "resampling", resampling[array.Resampling] }, { "role", roles[array.Role] } });
+        { "resampling", resampling[array.Resampling] }, { "role", roles[array.Role] },
+        { "taken_for", array.GetMeaning() } });
   }
   return list;
 }
@@ -85,7 +87,6 @@ std::string GetStrategy(const vtkMTGraph& graph, const std::string& name)
   const std::string settings = GetSetting(graph, name);
   return settings.substr(0, settings.find(' '));
 }
-
 }
 
 bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)

@@ -3,7 +3,10 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 //------------------------------------------------------------------------------
@@ -131,4 +134,127 @@ bool vtkMTArrayInfo::operator==(const vtkMTArrayInfo& other) const
     this->Association == other.Association && this->Resampling == other.Resampling && this->Role == other.Role &&
     this->Attribute == other.Attribute && this->ComponentNames == other.ComponentNames &&
     this->Properties == other.Properties;
+}
+
+//------------------------------------------------------------------------------
+// Meanings
+namespace
+{
+// As vtkDataSetAttributes counts them; this class is of use where there is no VTK.
+constexpr int NormalsAttribute = 2;
+constexpr int GlobalIdsAttribute = 5;
+constexpr int PedigreeIdsAttribute = 6;
+
+bool IsReal(const vtkMTArrayInfo& info)
+{
+  return info.Type == VTK_FLOAT || info.Type == VTK_DOUBLE;
+}
+
+bool IsDirection(const vtkMTArrayInfo& info)
+{
+  const bool named = info.Name == "Normals" || info.Name == "NORMAL";
+  return IsReal(info) && info.Components == 3 && (named || info.Attribute == NormalsAttribute);
+}
+
+bool IsId(const vtkMTArrayInfo& info)
+{
+  return info.Attribute == GlobalIdsAttribute || info.Attribute == PedigreeIdsAttribute ||
+    info.Role == vtkMTArrayInfo::InputCellIds || info.Role == vtkMTArrayInfo::InputPointIds;
+}
+
+std::string ToLower(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool IsNamedAsChannel(const std::string& name)
+{
+  static const char* const channels[] = { "red", "green", "blue", "alpha", "intensity", "gray", "grey", "luminance",
+    "brightness" };
+  const std::string last = name.substr(name.rfind('_') + 1); // of diffuse_red
+  return std::find(std::begin(channels), std::end(channels), last) != std::end(channels);
+}
+
+// Calls change for each point array of these names.
+template <class Change>
+std::string ForEach(const std::vector<std::string>& names, std::vector<vtkMTArrayInfo>& arrays, Change&& change)
+{
+  for (const std::string& name : names)
+  {
+    bool isThere = false;
+    for (vtkMTArrayInfo& info : arrays)
+    {
+      if (info.Name == name)
+      {
+        isThere = true;
+        if (info.Association == vtkMTArrayInfo::Point)
+        {
+          change(info);
+        }
+      }
+    }
+    if (!isThere)
+    {
+      return name;
+    }
+  }
+  return "";
+}
+}
+
+bool vtkMTArrayInfo::IsColor() const
+{
+  const std::string name = ToLower(this->Name);
+  if (this->Components == 1)
+  {
+    return !IsReal(*this) && IsNamedAsChannel(name);
+  }
+  const bool isNamed = name.find("color") != std::string::npos || name.find("colour") != std::string::npos ||
+    name.find("rgb") != std::string::npos;
+  return (this->Type == VTK_UNSIGNED_CHAR && this->Components <= 4) ||
+    (isNamed && (this->Components == 3 || this->Components == 4));
+}
+
+vtkMTArrayInfo::ResamplingType vtkMTArrayInfo::GetDefaultResampling() const
+{
+  if (this->Association == Cell || IsId(*this) || this->Name == "vtkGhostType")
+  {
+    return Nearest;
+  }
+  if (IsDirection(*this))
+  {
+    return Direction;
+  }
+  return IsReal(*this) || this->IsColor() ? Interpolate : Nearest;
+}
+
+const char* vtkMTArrayInfo::GetMeaning() const
+{
+  const bool isOfPoints = this->Association == Point;
+  if (IsId(*this) || this->Resampling == Direction)
+  {
+    return IsId(*this) ? "ids" : "directions";
+  }
+  // Of points the resampling is what was chosen in the end, of cells it is always the same.
+  const bool isLabel = this->Resampling == Nearest && (isOfPoints || !IsReal(*this));
+  if (this->IsColor() && !(isOfPoints && isLabel))
+  {
+    return "colors";
+  }
+  return isLabel ? "labels" : "values";
+}
+
+std::string vtkMTArrayInfo::ChooseMeanings(const std::vector<std::string>& labels, const std::vector<std::string>& values,
+  std::vector<vtkMTArrayInfo>& arrays)
+{
+  const std::string missing =
+    ForEach(labels, arrays, [](vtkMTArrayInfo& info) { info.Resampling = vtkMTArrayInfo::Nearest; });
+  return !missing.empty() ? missing
+                          : ForEach(values, arrays,
+                              [](vtkMTArrayInfo& info)
+                              {
+                                info.Resampling =
+                                  IsDirection(info) ? vtkMTArrayInfo::Direction : vtkMTArrayInfo::Interpolate;
+                              });
 }

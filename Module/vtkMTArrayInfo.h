@@ -91,6 +91,24 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   /// (ExactPoints) are no values and have empty ranges.
   std::vector<vtkMTRange> GetRanges(const vtkMTColumn& column) const;
 
+  /**
+   * Whether it holds colours: bytes of two to four components, any numbers of three or four whose name has "color",
+   * "colour" or "rgb" in it, and single integers named as a channel is (red, diffuse_green, intensity, gray ...).
+   */
+  bool IsColor() const;
+  /// By type, name, components and attribute: real numbers are interpolated, directions where they are normals; integers
+  /// are labels, of which no mean may be taken, unless they are colours. Cell arrays and ids have the nearest value.
+  ResamplingType GetDefaultResampling() const;
+  /// What it is taken for: "labels", "values", "colors", "directions" or "ids".
+  const char* GetMeaning() const;
+  /**
+   * Point arrays of these names become labels or values, whatever their type; directions stay what they are among the
+   * values, and cell arrays, of which no mean is ever taken, stay as they are. Gives a name of which there is no array;
+   * empty when there is none.
+   */
+  static std::string ChooseMeanings(const std::vector<std::string>& labels, const std::vector<std::string>& values,
+    std::vector<vtkMTArrayInfo>& arrays);
+
   bool operator==(const vtkMTArrayInfo& other) const;
 };
 

@@ -55,32 +55,6 @@ int FindAttribute(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-bool IsDirection(const vtkMTArrayInfo& info)
-{
-  const bool real = info.Type == VTK_FLOAT || info.Type == VTK_DOUBLE;
-  const bool named = info.Name == "Normals" || info.Name == "NORMAL";
-  return real && info.Components == 3 && (named || info.Attribute == vtkDataSetAttributes::NORMALS);
-}
-
-//------------------------------------------------------------------------------
-vtkMTArrayInfo::ResamplingType ChooseResampling(const vtkMTArrayInfo& info)
-{
-  const bool id =
-    info.Attribute == vtkDataSetAttributes::GLOBALIDS || info.Attribute == vtkDataSetAttributes::PEDIGREEIDS;
-  if (info.Association == vtkMTArrayInfo::Cell || id || info.Name == vtkDataSetAttributes::GhostArrayName())
-  {
-    return vtkMTArrayInfo::Nearest;
-  }
-  if (IsDirection(info))
-  {
-    return vtkMTArrayInfo::Direction;
-  }
-  // Bytes are colours as a rule; all other integers are ids, labels and flags, which have no mean.
-  const bool mean = info.Type == VTK_FLOAT || info.Type == VTK_DOUBLE || info.Type == VTK_UNSIGNED_CHAR;
-  return mean ? vtkMTArrayInfo::Interpolate : vtkMTArrayInfo::Nearest;
-}
-
-//------------------------------------------------------------------------------
 std::string GetReasonToLeaveOut(vtkAbstractArray* array, vtkIdType tuples, std::size_t tupleSize)
 {
   switch (array->GetDataType())
@@ -208,7 +182,7 @@ void vtkMTPolyDataStream::Internals::AddArrays(
     info.Components = array->GetNumberOfComponents();
     info.Association = association;
     info.Attribute = FindAttribute(attributes, array);
-    info.Resampling = ChooseResampling(info);
+    info.Resampling = info.GetDefaultResampling();
     for (int c = 0; array->HasAComponentName() && c < info.Components; ++c)
     {
       info.ComponentNames.emplace_back(array->GetComponentName(c) ? array->GetComponentName(c) : "");

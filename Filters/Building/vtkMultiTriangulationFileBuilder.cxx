@@ -227,6 +227,14 @@ bool vtkMultiTriangulationFileBuilder::MakeIdentity(const vtkMTInputFiles& files
   {
     text << "; " << this->Implementation->Arrays[i];
   }
+  for (const std::string& name : builder->GetLabelArrayNames())
+  {
+    text << "; labels " << name;
+  }
+  for (const std::string& name : builder->GetValueArrayNames())
+  {
+    text << "; values " << name;
+  }
   this->Implementation->Identity = vtkMTInputFiles::GetHash(text.str());
   builder->SetInputIdentity(this->Implementation->Identity.c_str());
   return true;
@@ -279,7 +287,12 @@ std::unique_ptr<vtkMTTriangleStream> vtkMultiTriangulationFileBuilder::OpenInput
     return nullptr;
   }
   auto selected = std::make_unique<vtkMTSelectedInput>(std::move(opened), files, this->Report->Input.Counts);
-  const std::string missing = this->KeepAllArrays ? "" : selected->KeepArrays(this->Implementation->Arrays);
+  std::string missing = this->KeepAllArrays ? "" : selected->KeepArrays(this->Implementation->Arrays);
+  std::vector<vtkMTArrayInfo> kept = selected->GetArrays();
+  vtkMultiTriangulationBuilder* builder = this->Implementation->Builder;
+  missing = missing.empty()
+    ? vtkMTArrayInfo::ChooseMeanings(builder->GetLabelArrayNames(), builder->GetValueArrayNames(), kept)
+    : missing;
   if (!missing.empty())
   {
     error.Fail(ArrayError, "the input has no array \"" + missing + "\"");

@@ -6,7 +6,8 @@
  * Names of files in, one .bmt file out; meshes of any size, within a memory limit. Inputs are told apart by what is in
  * them, or else by the ending of the name:
  *
- * - meshes: PLY, STL, OBJ, VTP, VTK's legacy polydata, glTF and GLB, with the textures that they refer to;
+ * - meshes: PLY, STL, OBJ, OFF, VTP, VTK's legacy polydata, surfaces of VTK's grids, multi-block data, glTF and GLB,
+ *   also compressed by gzip, with the textures that they refer to;
  * - volumes, of which an isosurface is taken (SetIsoValue): VTI, MHD, MHA, NRRD, NHDR, NIfTI, legacy structured points;
  * - tiles of terrain, all of one call being one terrain: SRTM (.hgt, .hgt.gz), USGS DEM and, where GDAL is built in,
  *   GeoTIFF;
@@ -133,6 +134,16 @@ public:
   vtkBooleanMacro(KeepAllArrays, bool);
   void AddArrayName(const char* name);
   void RemoveAllArrayNames();
+  ///@}
+
+  ///@{
+  /// Which arrays are labels and which are values, in place of what their types and names say; see
+  /// vtkMultiTriangulationBuilder. A name of which there is no array, or none that is kept, is an error (ArrayError).
+  /// Default: none.
+  void AddLabelArrayName(const char* name);
+  void AddValueArrayName(const char* name);
+  void RemoveAllLabelArrayNames();
+  void RemoveAllValueArrayNames();
   ///@}
 
   ///@{

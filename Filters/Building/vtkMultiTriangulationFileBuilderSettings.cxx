@@ -155,6 +155,26 @@ void vtkMultiTriangulationFileBuilder::RemoveAllArrayNames()
   }
 }
 
+void vtkMultiTriangulationFileBuilder::AddLabelArrayName(const char* name)
+{
+  this->Implementation->Builder->AddLabelArrayName(name);
+}
+
+void vtkMultiTriangulationFileBuilder::AddValueArrayName(const char* name)
+{
+  this->Implementation->Builder->AddValueArrayName(name);
+}
+
+void vtkMultiTriangulationFileBuilder::RemoveAllLabelArrayNames()
+{
+  this->Implementation->Builder->RemoveAllLabelArrayNames();
+}
+
+void vtkMultiTriangulationFileBuilder::RemoveAllValueArrayNames()
+{
+  this->Implementation->Builder->RemoveAllValueArrayNames();
+}
+
 //------------------------------------------------------------------------------
 // What the builder does with it
 void vtkMultiTriangulationFileBuilder::SetMakeNormals(bool on)

@@ -11,6 +11,9 @@
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTWorkSettings.h"
 
+#include <string>
+#include <vector>
+
 class vtkMTPartitionStrategy;
 class vtkMTSimplifier;
 
@@ -23,7 +26,9 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   bool MakeNormals = true;
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
-  double Reduction = 2.0; ///< of a level: the strategy's (vtkMTPartitionStrategy::GetReduction), above 1
+  std::vector<std::string> LabelArrays; ///< names of arrays that are labels, whatever their type
+  std::vector<std::string> ValueArrays; ///< and of those that are values
+  double Reduction = 2.0;               ///< of a level: the strategy's (vtkMTPartitionStrategy::GetReduction), above 1
   const vtkMTPartitionStrategy* Partition = nullptr;
   const vtkMTSimplifier* Simplifier = nullptr;
   ///@}

@@ -112,11 +112,11 @@ public:
       return this->Error.empty() ? this->Fail(input.GetError()) : false;
     }
     state.LevelElements.assign(1, input.GetNumberOfTriangles());
-    if (!this->CheckTriangles(input) || !this->FindOutliers(input, outliers))
+    if (!this->CheckTriangles(input) || !this->FindOutliers(input, outliers) ||
+      !this->SetUpArrays(stream, input.GetPoints().IsSingle()))
     {
       return false;
     }
-    this->SetUpArrays(stream, input.GetPoints().IsSingle());
     state.Graph.InputCounts.Triangles = input.GetNumberOfInputTriangles();
     state.Graph.InputReport = input.GetReport();
     state.Graph.Lattice = vtkMTLattice::FromBounds(outliers.GetBounds().data(), this->Settings.LatticeBits);
@@ -191,10 +191,16 @@ private:
     return true;
   }
 
-  void SetUpArrays(const vtkMTTriangleStream& stream, bool isSingle)
+  bool SetUpArrays(const vtkMTTriangleStream& stream, bool isSingle)
   {
     std::vector<vtkMTArrayInfo>& arrays = this->State->Graph.Arrays;
     arrays = stream.GetArrays();
+    const std::string missing =
+      vtkMTArrayInfo::ChooseMeanings(this->Settings.LabelArrays, this->Settings.ValueArrays, arrays);
+    if (!missing.empty())
+    {
+      return this->Fail("the input has no array \"" + missing + "\"");
+    }
     this->MakesNormals = this->Settings.MakeNormals && !HasNormals(arrays);
     if (this->Settings.ExactPoints)
     {
@@ -206,6 +212,7 @@ private:
     {
       arrays.push_back(MakeNormalInfo(arrays));
     }
+    return true;
   }
 
   void Report(const vtkMTTriangleStream& stream, const vtkMTInputSpool& input, const vtkMTPointWelding& stitch)

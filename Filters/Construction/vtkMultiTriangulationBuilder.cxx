@@ -102,6 +102,39 @@ vtkMTSimplifier* vtkMultiTriangulationBuilder::GetSimplifier()
   return this->Simplifier;
 }
 
+void vtkMultiTriangulationBuilder::AddArrayName(
+  const char* name, std::vector<std::string>& to, std::vector<std::string>& from)
+{
+  if (name)
+  {
+    from.erase(std::remove(from.begin(), from.end(), name), from.end());
+    to.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkMultiTriangulationBuilder::AddLabelArrayName(const char* name)
+{
+  this->AddArrayName(name, this->LabelArrays, this->ValueArrays);
+}
+
+void vtkMultiTriangulationBuilder::AddValueArrayName(const char* name)
+{
+  this->AddArrayName(name, this->ValueArrays, this->LabelArrays);
+}
+
+void vtkMultiTriangulationBuilder::RemoveAllLabelArrayNames()
+{
+  this->LabelArrays.clear();
+  this->Modified();
+}
+
+void vtkMultiTriangulationBuilder::RemoveAllValueArrayNames()
+{
+  this->ValueArrays.clear();
+  this->Modified();
+}
+
 vtkMTimeType vtkMultiTriangulationBuilder::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->PartitionStrategy->GetMTime(), this->Simplifier->GetMTime() });
@@ -180,6 +213,8 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.MakeNormals = this->MakeNormals;
   settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.ExactPoints = this->ExactPoints;
+  settings.LabelArrays = this->LabelArrays;
+  settings.ValueArrays = this->ValueArrays;
   settings.Partition = this->PartitionStrategy;
   settings.Reduction = this->PartitionStrategy->GetReduction();
   settings.Simplifier = this->Simplifier;
@@ -262,6 +297,14 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
   {
     identity += ", " + array.Name + " " + std::to_string(array.GetTupleSize());
   }
+  for (const std::string& name : this->LabelArrays)
+  {
+    identity += "; labels " + name;
+  }
+  for (const std::string& name : this->ValueArrays)
+  {
+    identity += "; values " + name;
+  }
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
     " bits, normals " + (this->MakeNormals ? "made" : "not made") +
     (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") + "; " +
@@ -333,6 +376,14 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HasCheckpoint: " << (this->HasCheckpoint ? "yes" : "no") << "\n";
   os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
   os << indent << "ExactPoints: " << (this->ExactPoints ? "on" : "off") << "\n";
+  for (const std::string& name : this->LabelArrays)
+  {
+    os << indent << "LabelArrayName: " << name << "\n";
+  }
+  for (const std::string& name : this->ValueArrays)
+  {
+    os << indent << "ValueArrayName: " << name << "\n";
+  }
   os << indent << "PartitionStrategy: " << this->PartitionStrategy->GetSettings() << "\n";
   os << indent << "Simplifier: " << this->Simplifier->GetSettings() << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";

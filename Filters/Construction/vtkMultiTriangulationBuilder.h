@@ -30,6 +30,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkMTSequenceState;
 class vtkMTMemoryPlan;
@@ -95,6 +96,30 @@ public:
   vtkSetMacro(ExactPoints, bool);
   vtkGetMacro(ExactPoints, bool);
   vtkBooleanMacro(ExactPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Which point arrays are labels, of which every value of a coarser level is one of the finer, and which are values,
+   * which have a mean; in place of what their types and names say: real numbers are values; integers are labels, unless
+   * they are colours (bytes of several components, or integers named as colours are, "red", "intensity", "COLOR_0").
+   * Cell arrays are never mixed, so that it makes no difference there. Of a name that is added to both the last holds.
+   * nullptr is ignored; a name of which there is no array is an error of the build. Default: none.
+   */
+  void AddLabelArrayName(const char* name);
+  void AddValueArrayName(const char* name);
+  void RemoveAllLabelArrayNames();
+  void RemoveAllValueArrayNames();
+#ifndef __VTK_WRAP__
+  const std::vector<std::string>& GetLabelArrayNames() const
+  {
+    return this->LabelArrays;
+  }
+  const std::vector<std::string>& GetValueArrayNames() const
+  {
+    return this->ValueArrays;
+  }
+#endif
   ///@}
 
   ///@{
@@ -183,6 +208,7 @@ private:
   bool Begin(const vtkMTBuildSettings& settings, vtkMTTriangleStream& input, vtkMTPatchSink& output,
     vtkMTSequenceState& state, std::string& identity);
   std::string GetIdentity(const vtkMTTriangleStream& input) const;
+  void AddArrayName(const char* name, std::vector<std::string>& to, std::vector<std::string>& from);
 
   int PatchTriangles = 1000;
   int LatticeBits = 24;
@@ -190,6 +216,8 @@ private:
   bool MakeNormals = true;
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
+  std::vector<std::string> LabelArrays;
+  std::vector<std::string> ValueArrays;
   vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;
   vtkSmartPointer<vtkMTSimplifier> Simplifier;
   vtkTypeInt64 MemoryLimit = 0;

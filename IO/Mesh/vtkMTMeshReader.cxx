@@ -1,142 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshReader.h"
 
-#include "vtkMTErrorCollector.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTGltfReader.h"
-#include "vtkMTLegacyCheck.h"
+#include "vtkMTGzipByteSource.h"
+#include "vtkMTInputReport.h"
+#include "vtkMTMeshFormat.h"
 #include "vtkMTObjReader.h"
+#include "vtkMTOffReader.h"
 #include "vtkMTPlyReader.h"
 #include "vtkMTStlReader.h"
 #include "vtkMTTextFormat.h"
+#include "vtkMTVtkReader.h"
 
 #include "vtkCellArray.h"
-#include "vtkErrorCode.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataReader.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <utility>
 
 namespace
 {
-enum class Format
-{
-  Unknown,
-  Ply,
-  Stl,
-  Obj,
-  Vtp,
-  Legacy,
-  Gltf
-};
-
-//------------------------------------------------------------------------------
-// Which format
-bool BeginsWith(std::string_view text, std::string_view begin)
-{
-  return text.substr(0, begin.size()) == begin;
-}
-
-Format FromContent(std::string_view begin)
-{
-  if (BeginsWith(begin, "ply\n") || BeginsWith(begin, "ply\r") || BeginsWith(begin, "ply "))
-  {
-    return Format::Ply;
-  }
-  if (BeginsWith(begin, "glTF"))
-  {
-    return Format::Gltf;
-  }
-  if (BeginsWith(begin, "# vtk DataFile"))
-  {
-    return Format::Legacy;
-  }
-  return begin.find("<VTKFile") != std::string_view::npos ? Format::Vtp : Format::Unknown;
-}
-
-Format FromEnding(const std::string& ending)
-{
-  static const std::pair<const char*, Format> formats[] = { { "ply", Format::Ply }, { "stl", Format::Stl },
-    { "obj", Format::Obj }, { "vtp", Format::Vtp }, { "vtk", Format::Legacy }, { "gltf", Format::Gltf },
-    { "glb", Format::Gltf } };
-  for (const auto& format : formats)
-  {
-    if (ending == format.first)
-    {
-      return format.second;
-    }
-  }
-  return Format::Unknown;
-}
-
-//------------------------------------------------------------------------------
-// VTK's readers
-template <typename Reader>
-bool Update(Reader* reader, const std::string& path, vtkMTErrorCollector& errors, std::string& error)
-{
-  errors.Observe(static_cast<vtkAlgorithm*>(reader));
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (errors.HasErrors() || reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    error = errors.HasErrors() ? errors.GetMessage() : vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode());
-    return false;
-  }
-  return true;
-}
-
-bool ReadVtp(const std::string& path, std::string_view begin, vtkPolyData* output, std::string& error)
-{
-  if (begin.find("PolyData") == std::string_view::npos)
-  {
-    error = "holds no polydata; of VTK's XML formats, .vtp is read";
-    return false;
-  }
-  vtkMTErrorCollector errors;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetReaderErrorObserver(errors.GetCommand());
-  reader->SetParserErrorObserver(errors.GetCommand());
-  if (!Update(reader.Get(), path, errors, error))
-  {
-    return false;
-  }
-  output->ShallowCopy(reader->GetOutput());
-  return true;
-}
-
-bool ReadLegacy(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
-{
-  const std::string path = bytes.GetName();
-  vtkMTErrorCollector errors;
-  errors.ObserveOutputWindow(true); // a file that ends in its arrays is only warned of
-  vtkNew<vtkPolyDataReader> reader;
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllColorScalarsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
-  errors.Observe(static_cast<vtkAlgorithm*>(reader.Get()));
-  reader->SetFileName(path.c_str());
-  if (!reader->IsFilePolyData())
-  {
-    error = errors.HasErrors() ? errors.GetMessage() : "holds no polydata; of VTK's legacy formats, that one is read";
-    return false;
-  }
-  if (!vtkMTLegacyCheck::Check(bytes, error) || !Update(reader.Get(), path, errors, error))
-  {
-    return false;
-  }
-  output->ShallowCopy(reader->GetOutput());
-  return true;
-}
-
 //------------------------------------------------------------------------------
 // VTK's readers do not check indices.
 bool CheckCells(vtkCellArray* cells, vtkIdType points, std::string& error)
@@ -187,30 +75,34 @@ bool CheckMesh(vtkPolyData* mesh, std::string& error)
   }
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
-    error = "has no triangles";
+    error = points > 0 ? "has no triangles; points alone are not supported yet" : "has no triangles";
     return false;
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool ReadFormat(
-  Format format, const vtkMTByteSource& bytes, std::string_view begin, vtkPolyData* output, std::string& error)
+// Those whose readers say what is wrong without the file's name.
+bool ReadUnnamed(vtkMTMeshFormat::FormatType format, const vtkMTByteSource& bytes, bool isCompressed,
+  vtkPolyData* output, std::string& error, vtkMTInputReport& report)
 {
-  const std::string path = bytes.GetName();
   switch (format)
   {
-    case Format::Vtp:
-      return ReadVtp(path, begin, output, error);
-    case Format::Legacy:
-      return ReadLegacy(bytes, output, error);
+    case vtkMTMeshFormat::Xml:
+      return vtkMTVtkReader::ReadXml(bytes, isCompressed, output, error, report);
+    case vtkMTMeshFormat::Legacy:
+      return vtkMTVtkReader::ReadLegacy(bytes, isCompressed, output, error, report);
+    case vtkMTMeshFormat::Points:
+      error = "is of a format of points; points without triangles are not supported yet";
+      return false;
     default:
-      error = "is of no known format; PLY, STL, OBJ, VTP, VTK, glTF and GLB are read";
+      error = "is of no known format; PLY, STL, OBJ, OFF, VTP, VTU, VTM, VTK, glTF and GLB are read";
       return false;
   }
 }
 
-bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error, vtkMTMeshReader::Counts* counts)
+bool ReadBytes(
+  const vtkMTByteSource& bytes, bool isCompressed, vtkPolyData* output, std::string& error, vtkMTInputReport& report)
 {
   char buffer[512] = {};
   const std::uint64_t size = bytes.GetSize();
@@ -225,20 +117,30 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
     return false;
   }
   const std::string_view begin(buffer, length);
-  Format format = FromContent(begin);
-  format = format == Format::Unknown ? FromEnding(vtkMTTextFormat::GetLowerCaseEnding(bytes.GetName())) : format;
-  if (format == Format::Gltf)
+  if (vtkMTTextFormat::IsUtf16(begin))
   {
-    return vtkMTGltfReader::Read(bytes, output, error, counts);
+    error = bytes.GetName() + ": is text in UTF-16; save it as UTF-8";
+    return false;
   }
-  if (format == Format::Ply || format == Format::Stl || format == Format::Obj)
+  const vtkMTMeshFormat::FormatType format = vtkMTMeshFormat::Find(begin, bytes.GetName());
+  switch (format)
   {
-    return format == Format::Ply ? vtkMTPlyReader::Read(bytes, output, error)
-      : format == Format::Stl    ? vtkMTStlReader::Read(bytes, output, error)
-                                 : vtkMTObjReader::Read(bytes, output, error);
+    case vtkMTMeshFormat::Ply:
+      return vtkMTPlyReader::Read(bytes, output, error, &report);
+    case vtkMTMeshFormat::Stl:
+      return vtkMTStlReader::Read(bytes, output, error, &report);
+    case vtkMTMeshFormat::Obj:
+      return vtkMTObjReader::Read(bytes, output, error);
+    case vtkMTMeshFormat::Off:
+      return vtkMTOffReader::Read(bytes, output, error, &report);
+    case vtkMTMeshFormat::Glb:
+    case vtkMTMeshFormat::Gltf:
+      return vtkMTGltfReader::Read(bytes, output, error, &report);
+    default:
+      break;
   }
   std::string reason;
-  if (!ReadFormat(format, bytes, begin, output, reason))
+  if (!ReadUnnamed(format, bytes, isCompressed, output, reason, report))
   {
     error = bytes.GetName() + ": " + reason;
     return false;
@@ -250,29 +152,38 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
 bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::string& error, Counts* counts)
 {
   output->Initialize();
-  const auto bytes = vtkMTFileByteSource::Open(path, error);
-  if (!bytes)
-  {
-    return false;
-  }
+  vtkMTInputReport report;
   bool done = false;
   try
   {
+    std::unique_ptr<vtkMTByteSource> bytes = vtkMTFileByteSource::Open(path, error);
+    const bool isCompressed = bytes && vtkMTGzipByteSource::IsGzip(*bytes);
+    bytes = isCompressed ? vtkMTGzipByteSource::Open(std::move(bytes), error) : std::move(bytes);
+    done = bytes && ReadBytes(*bytes, isCompressed, output, error, report);
     std::string reason;
-    done = ReadBytes(*bytes, output, error, counts);
     if (done && !CheckMesh(output, reason))
     {
       done = false;
       error = path + ": " + reason;
     }
   }
-  catch (const std::exception& exception) // no memory
+  catch (const std::bad_alloc&)
   {
+    done = false;
+    error = path + ": takes more memory than there is";
+  }
+  catch (const std::exception& exception)
+  {
+    done = false;
     error = path + ": " + exception.what();
   }
   if (!done)
   {
     output->Initialize();
+  }
+  else if (counts)
+  {
+    vtkMTInputReports::Add(report, *counts);
   }
   return done;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshStream.h"
 
-#include "vtkMTFileByteSource.h"
 #include "vtkMTMergedStream.h"
+#include "vtkMTMeshFormat.h"
 #include "vtkMTObjStream.h"
 #include "vtkMTPlyStream.h"
 #include "vtkMTStlStream.h"
-#include "vtkMTTextFormat.h"
 #include "vtkMTVtpStream.h"
 
 #include <exception>
@@ -22,7 +21,7 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTMeshStream::Open(
   try
   {
     std::unique_ptr<vtkMTTriangleStream> stream = vtkMTPlyStream::Open(path, settings, names);
-    const std::string ending = vtkMTTextFormat::GetLowerCaseEnding(path);
+    const std::string ending = vtkMTMeshFormat::GetEnding(path);
     if (!stream && ending == "stl")
     {
       stream = vtkMTStlStream::Open(path, settings, names);

@@ -2,6 +2,7 @@
 #include "vtkMTPlyReader.h"
 
 #include "vtkMTFieldNames.h"
+#include "vtkMTPlyColors.h"
 #include "vtkMTPlyFaces.h"
 #include "vtkMTPlyRows.h"
 #include "vtkMTPlyVertices.h"
@@ -37,11 +38,15 @@ public:
   }
 
   bool Read(std::string& error);
+  /// By reason, what was not read as it is in the file.
+  vtkMTInputReport GetReport() const;
 
 private:
   bool ReadElement(const vtkMTPlyElement& element);
+  bool ReadVertices(const vtkMTPlyElement& element);
   bool ReadFaces(const vtkMTPlyElement& element);
   bool ReadStrips(const vtkMTPlyElement& element);
+  void AddStrip(std::vector<vtkIdType>& corners);
   bool SkipRows(const vtkMTPlyElement& element);
   void SplitWedges();
   void AddStrips();
@@ -61,24 +66,25 @@ private:
   std::unique_ptr<vtkMTPlyFaces> FaceRows; // where there are any
   std::vector<std::size_t> StripEnds;
   std::vector<vtkIdType> StripCorners;
+  vtkMTInputReport Report; // of colours
 };
+
+vtkMTInputReport Reader::GetReport() const
+{
+  vtkMTInputReport report = this->Report;
+  vtkMTInputReports::Add(this->Header.GetReport(), report);
+  vtkMTInputReports::Add(this->Rows.GetReport(), report);
+  return report;
+}
 
 bool Reader::SkipRows(const vtkMTPlyElement& element)
 {
   for (std::uint64_t row = 0; row < element.Count && !element.Properties.empty(); ++row)
   {
-    if (!this->Rows.BeginRow())
-    {
-      return false;
-    }
-    for (const vtkMTPlyProperty& property : element.Properties)
-    {
-      if (!this->Rows.SkipProperty(property))
-      {
-        return false;
-      }
-    }
-    if (!this->Rows.EndRow())
+    bool isGood = true;
+    const auto skip = [this](const vtkMTPlyProperty& property) { return this->Rows.SkipProperty(property); };
+    if (!this->Rows.BeginRow() ||
+      !this->Rows.EndRow(std::all_of(element.Properties.begin(), element.Properties.end(), skip), isGood))
     {
       return false;
     }
@@ -86,11 +92,32 @@ bool Reader::SkipRows(const vtkMTPlyElement& element)
   return true;
 }
 
+bool Reader::ReadVertices(const vtkMTPlyElement& element)
+{
+  vtkMTPlyColors colors(element);
+  if (!vtkMTPlyVertices(element, colors, element.Count, this->Output).Read(this->Rows))
+  {
+    return false;
+  }
+  colors.Look(this->Output->GetPointData());
+  colors.Convert(this->Output->GetPointData());
+  colors.Count(element.Count, this->Report);
+  return true;
+}
+
 bool Reader::ReadFaces(const vtkMTPlyElement& element)
 {
-  this->FaceRows =
-    std::make_unique<vtkMTPlyFaces>(element, element.Count, this->VertexCount, this->Output->GetCellData());
-  return this->FaceRows->Read(this->Rows, this->Faces);
+  vtkMTPlyColors colors(element);
+  vtkCellData* attributes = this->Output->GetCellData();
+  this->FaceRows = std::make_unique<vtkMTPlyFaces>(element, colors, element.Count, this->VertexCount, attributes);
+  if (!this->FaceRows->Read(this->Rows, this->Faces))
+  {
+    return false;
+  }
+  colors.Look(attributes);
+  colors.Convert(attributes);
+  colors.Count(element.Count, this->Report);
+  return true;
 }
 
 bool Reader::ReadStrips(const vtkMTPlyElement& element)
@@ -100,38 +127,42 @@ bool Reader::ReadStrips(const vtkMTPlyElement& element)
   for (std::uint64_t row = 0; row < element.Count; ++row)
   {
     corners.clear();
-    if (!this->Rows.BeginRow())
+    bool isGood = true;
+    const auto read = [&](const vtkMTPlyProperty& property)
+    {
+      return &property == indices ? this->Rows.ReadCorners(property, this->VertexCount, corners)
+                                  : this->Rows.SkipProperty(property);
+    };
+    if (!this->Rows.BeginRow() ||
+      !this->Rows.EndRow(std::all_of(element.Properties.begin(), element.Properties.end(), read), isGood))
     {
       return false;
     }
-    for (const vtkMTPlyProperty& property : element.Properties)
+    if (isGood)
     {
-      if (&property == indices ? !this->Rows.ReadCorners(property, this->VertexCount, corners)
-                               : !this->Rows.SkipProperty(property))
-      {
-        return false;
-      }
-    }
-    corners.push_back(-1);
-    for (std::size_t begin = 0, i = 0; i < corners.size(); ++i)
-    {
-      if (corners[i] < 0)
-      {
-        if (i - begin >= 3) // a shorter one has no triangle
-        {
-          this->StripCorners.insert(this->StripCorners.end(), corners.begin() + static_cast<std::ptrdiff_t>(begin),
-            corners.begin() + static_cast<std::ptrdiff_t>(i));
-          this->StripEnds.push_back(this->StripCorners.size());
-        }
-        begin = i + 1;
-      }
-    }
-    if (!this->Rows.EndRow())
-    {
-      return false;
+      this->AddStrip(corners);
     }
   }
   return true;
+}
+
+// Where there is a -1 the next one begins.
+void Reader::AddStrip(std::vector<vtkIdType>& corners)
+{
+  corners.push_back(-1);
+  for (std::size_t begin = 0, i = 0; i < corners.size(); ++i)
+  {
+    if (corners[i] < 0)
+    {
+      if (i - begin >= 3) // a shorter one has no triangle
+      {
+        this->StripCorners.insert(this->StripCorners.end(), corners.begin() + static_cast<std::ptrdiff_t>(begin),
+          corners.begin() + static_cast<std::ptrdiff_t>(i));
+        this->StripEnds.push_back(this->StripCorners.size());
+      }
+      begin = i + 1;
+    }
+  }
 }
 
 bool Reader::ReadElement(const vtkMTPlyElement& element)
@@ -142,7 +173,7 @@ bool Reader::ReadElement(const vtkMTPlyElement& element)
   }
   if (element.Name == "vertex")
   {
-    return vtkMTPlyVertices(element, element.Count, this->Output).Read(this->Rows);
+    return this->ReadVertices(element);
   }
   if (element.Count > 0 && element.Name == "face")
   {
@@ -265,8 +296,18 @@ bool vtkMTPlyReader::Read(const std::string& path, vtkPolyData* output, std::str
   return vtkMTReadWhole::ReadFile<vtkMTPlyReader>(path, output, error);
 }
 
-bool vtkMTPlyReader::Read(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
+bool vtkMTPlyReader::Read(
+  const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error, vtkMTInputReport* report)
 {
-  return vtkMTReadWhole::Read(
-    bytes, output, error, [&](std::string& reason) { return Reader(bytes, output).Read(reason); });
+  const auto read = [&](std::string& reason)
+  {
+    Reader reader(bytes, output);
+    const bool isRead = reader.Read(reason);
+    if (report)
+    {
+      vtkMTInputReports::Add(reader.GetReport(), *report);
+    }
+    return isRead;
+  };
+  return vtkMTReadWhole::Read(bytes, output, error, read);
 }

@@ -8,6 +8,7 @@
 #include "vtkPolyData.h"
 
 #include <exception>
+#include <new>
 #include <string>
 
 namespace vtkMTReadWhole
@@ -26,7 +27,11 @@ bool Read(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error,
       return true;
     }
   }
-  catch (const std::exception& exception) // no memory
+  catch (const std::bad_alloc&)
+  {
+    reason = "takes more memory than there is";
+  }
+  catch (const std::exception& exception)
   {
     reason = exception.what();
   }

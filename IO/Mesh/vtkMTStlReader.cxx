@@ -2,25 +2,26 @@
 #include "vtkMTStlReader.h"
 
 #include "vtkMTReadWhole.h"
+#include "vtkMTStlBinary.h"
 #include "vtkMTStlText.h"
 #include "vtkMTTextFormat.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
+#include <string_view>
+#include <vector>
 
 namespace
 {
-constexpr std::uint64_t HeadSize = 84; // a text of 80 bytes and the number of triangles
-constexpr std::uint64_t RecordSize = 50;
-
 // Three points for each triangle, in order.
 void Fill(vtkPolyData* output, vtkFloatArray* coordinates)
 {
@@ -45,73 +46,67 @@ void Fill(vtkPolyData* output, vtkFloatArray* coordinates)
   output->SetPolys(cells);
 }
 
-bool ReadBinary(vtkMTTextFormat::Stream& stream, std::uint32_t count, vtkPolyData* output, std::string& error)
+vtkSmartPointer<vtkFloatArray> MakeCoordinates(std::uint64_t triangles)
 {
-  const std::uint64_t left = stream.GetLeft();
-  const std::uint64_t whole = left / RecordSize;
-  if (whole != count)
-  {
-    error = "its header announces " + std::to_string(count) + " triangles, but there are " + std::to_string(whole) +
-      (whole < count ? ": it is truncated, or no STL file" : "");
-    return false;
-  }
-  vtkNew<vtkFloatArray> coordinates;
+  auto coordinates = vtkSmartPointer<vtkFloatArray>::New();
   coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(vtkIdType(3) * count);
-  float* to = coordinates->GetPointer(0);
-  for (std::uint32_t i = 0; i < count; ++i, to += 9)
-  {
-    const unsigned char* record = stream.Take(RecordSize);
-    if (!record)
-    {
-      error = stream.GetError().empty() ? "is truncated" : stream.GetError();
-      return false;
-    }
-    std::memcpy(to, record + 12, 36); // after the normal
-  }
-  Fill(output, coordinates);
-  return true;
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(3 * triangles));
+  return coordinates;
 }
 
-bool ReadText(vtkMTTextFormat::Stream& stream, vtkPolyData* output, std::string& error)
+bool ReadBinary(vtkMTStlBinary& file, vtkPolyData* output, std::string& error)
 {
-  vtkMTStlText text(stream);
+  if (!file.Open(error))
+  {
+    return false;
+  }
+  const std::uint64_t count = file.GetNumberOfTriangles();
+  const vtkSmartPointer<vtkFloatArray> coordinates = MakeCoordinates(count);
+  Fill(output, coordinates);
+  return file.ReadCoordinates(0, count, coordinates->GetPointer(0), error) && file.ReadCells(0, count, output, error);
+}
+
+bool ReadText(vtkMTStlText& text, vtkPolyData* output, std::string& error)
+{
   std::vector<float> values;
   if (!text.Read(std::numeric_limits<std::size_t>::max(), values))
   {
     error = text.GetError();
     return false;
   }
-  vtkNew<vtkFloatArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / 3));
+  const std::uint64_t count = values.size() / 9;
+  const vtkSmartPointer<vtkFloatArray> coordinates = MakeCoordinates(count);
   std::copy(values.begin(), values.end(), coordinates->GetPointer(0));
   Fill(output, coordinates);
+  text.GetSolids().AddIds(0, count, output->GetCellData());
   return true;
 }
 
-bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
+bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error, vtkMTInputReport& report)
 {
+  char head[512] = {};
+  const std::size_t size = static_cast<std::size_t>(std::min<std::uint64_t>(bytes.GetSize(), sizeof(head)));
+  if (size == 0)
+  {
+    error = "is empty";
+    return false;
+  }
+  if (!bytes.Read(0, size, head, error))
+  {
+    return false;
+  }
+  vtkMTStlBinary binary(bytes);
+  if (binary.HasSize() || !vtkMTStlText::IsText(std::string_view(head, size)))
+  {
+    const bool isRead = ReadBinary(binary, output, error);
+    vtkMTInputReports::Add(binary.GetReport(), report);
+    return isRead;
+  }
   vtkMTTextFormat::Stream stream(bytes);
-  std::uint32_t count = 0;
-  unsigned char head[HeadSize] = {};
-  const std::uint64_t size = bytes.GetSize();
-  if (!bytes.Read(0, static_cast<std::size_t>(size < HeadSize ? size : HeadSize), head, error))
-  {
-    return false;
-  }
-  std::memcpy(&count, head + 80, sizeof(count));
-  const bool hasSize = size >= HeadSize && size == HeadSize + count * RecordSize;
-  if (!hasSize && vtkMTStlText::IsText(std::string_view(reinterpret_cast<const char*>(head), HeadSize)))
-  {
-    return ReadText(stream, output, error);
-  }
-  if (size < HeadSize)
-  {
-    error = size == 0 ? "is empty" : "is too short for an STL file";
-    return false;
-  }
-  return stream.Skip(HeadSize) && ReadBinary(stream, count, output, error);
+  vtkMTStlText text(stream);
+  const bool isRead = ReadText(text, output, error);
+  vtkMTInputReports::Add(text.GetReport(), report);
+  return isRead;
 }
 }
 
@@ -120,8 +115,10 @@ bool vtkMTStlReader::Read(const std::string& path, vtkPolyData* output, std::str
   return vtkMTReadWhole::ReadFile<vtkMTStlReader>(path, output, error);
 }
 
-bool vtkMTStlReader::Read(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
+bool vtkMTStlReader::Read(
+  const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error, vtkMTInputReport* report)
 {
-  return vtkMTReadWhole::Read(
-    bytes, output, error, [&](std::string& reason) { return ReadBytes(bytes, output, reason); });
+  vtkMTInputReport unwanted;
+  return vtkMTReadWhole::Read(bytes, output, error,
+    [&](std::string& reason) { return ReadBytes(bytes, output, reason, report ? *report : unwanted); });
 }

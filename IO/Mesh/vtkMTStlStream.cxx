@@ -2,32 +2,33 @@
 #include "vtkMTStlStream.h"
 
 #include "vtkMTChunkStream.h"
-#include "vtkMTFileByteSource.h"
+#include "vtkMTGzipByteSource.h"
+#include "vtkMTStlBinary.h"
 #include "vtkMTStlText.h"
 
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
 namespace
 {
-constexpr std::uint64_t HeadSize = 84; // a text of 80 bytes and the number of triangles
-constexpr std::uint64_t RecordSize = 50;
-
-// Each triangle has three points of its own, and nothing else.
+// Each triangle has three points of its own.
 class Stream : public vtkMTChunkStream
 {
 public:
-  explicit Stream(std::unique_ptr<vtkMTFileByteSource> bytes)
+  explicit Stream(std::unique_ptr<vtkMTByteSource> bytes)
     : Bytes(std::move(bytes))
   {
   }
 
 protected:
+  // The arrays of some triangles.
+  virtual bool ReadCellArrays(std::uint64_t first, std::uint64_t count, vtkPolyData* chunk) = 0;
+
   bool AddTriangles(std::uint64_t count)
   {
     bool good = true;
@@ -37,7 +38,10 @@ protected:
       good = this->AddCell(corners, 3);
     }
     this->Points = 3 * count;
-    return good && count > 0;
+    const vtkNew<vtkPolyData> one;
+    good = good && count > 0 && this->ReadCellArrays(0, 1, one);
+    this->Arrays = GetArraysOf(one, one);
+    return good;
   }
 
   bool RewindFile() override
@@ -46,8 +50,9 @@ protected:
     return true;
   }
 
-  bool ReadCells(std::uint64_t count, vtkPolyData*, vtkMTCellCorners& corners) override
+  bool ReadCells(std::uint64_t count, vtkPolyData* chunk, vtkMTCellCorners& corners) override
   {
+    const std::uint64_t first = this->NextCorner / 3;
     for (std::uint64_t t = 0; t < count; ++t)
     {
       for (int c = 0; c < 3; ++c)
@@ -56,7 +61,7 @@ protected:
       }
       corners.Ends.push_back(corners.Points.size());
     }
-    return true;
+    return this->ReadCellArrays(first, count, chunk);
   }
 
   static void Fill(const float* values, std::uint64_t count, vtkPolyData* chunk)
@@ -70,7 +75,7 @@ protected:
     chunk->SetPoints(points);
   }
 
-  std::unique_ptr<vtkMTFileByteSource> Bytes;
+  std::unique_ptr<vtkMTByteSource> Bytes;
 
 private:
   std::uint64_t NextCorner = 0;
@@ -80,19 +85,19 @@ private:
 class BinaryStream : public Stream
 {
 public:
-  using Stream::Stream;
+  explicit BinaryStream(std::unique_ptr<vtkMTByteSource> bytes)
+    : Stream(std::move(bytes))
+    , File(*this->Bytes)
+  {
+  }
 
-  // Whether the file has the size that it says.
+  bool HasSize() const { return this->File.HasSize(); }
+
   bool Open()
   {
-    unsigned char head[HeadSize];
-    std::uint32_t count = 0;
-    if (this->Bytes->GetSize() < HeadSize || !this->Bytes->Read(0, HeadSize, head, this->Error))
-    {
-      return false;
-    }
-    std::memcpy(&count, head + 80, sizeof(count));
-    return this->Bytes->GetSize() == HeadSize + count * RecordSize && this->AddTriangles(count);
+    const bool isOpen = this->File.Open(this->Error);
+    this->Report = this->File.GetReport();
+    return isOpen && this->AddTriangles(this->File.GetNumberOfTriangles());
   }
 
 private:
@@ -104,23 +109,24 @@ private:
 
   bool ReadPoints(std::uint64_t count, vtkPolyData* chunk) override
   {
-    // Triangles are not cut.
+    // Triangles are not divided.
     static_assert(ChunkSize % 3 == 0, "a chunk of points is one of triangles");
-    std::vector<unsigned char> records(static_cast<std::size_t>(count / 3 * RecordSize));
-    if (!this->Bytes->Read(HeadSize + this->NextTriangle * RecordSize, records.size(), records.data(), this->Error))
+    std::vector<float> values(static_cast<std::size_t>(3 * count));
+    if (!this->File.ReadCoordinates(this->NextTriangle, count / 3, values.data(), this->Error))
     {
       return false;
     }
     this->NextTriangle += count / 3;
-    std::vector<float> values(static_cast<std::size_t>(3 * count));
-    for (std::size_t t = 0; t < count / 3; ++t)
-    {
-      std::memcpy(values.data() + 9 * t, records.data() + t * RecordSize + 12, 36); // after the normal
-    }
     Fill(values.data(), count, chunk);
     return true;
   }
 
+  bool ReadCellArrays(std::uint64_t first, std::uint64_t count, vtkPolyData* chunk) override
+  {
+    return this->File.ReadCells(first, count, chunk, this->Error);
+  }
+
+  vtkMTStlBinary File;
   std::uint64_t NextTriangle = 0;
 };
 
@@ -145,6 +151,8 @@ public:
       }
       count += values.size() / 9;
     } while (!values.empty());
+    this->Solids = this->Text->GetSolids();
+    this->Report = this->Text->GetReport();
     return this->AddTriangles(count);
   }
 
@@ -168,14 +176,20 @@ private:
     return true;
   }
 
+  bool ReadCellArrays(std::uint64_t first, std::uint64_t count, vtkPolyData* chunk) override
+  {
+    this->Solids.AddIds(first, count, chunk->GetCellData());
+    return true;
+  }
+
   std::unique_ptr<vtkMTTextFormat::Stream> Lines;
   std::unique_ptr<vtkMTStlText> Text;
+  vtkMTStlSolids Solids; // of the whole file
 };
 
 template <typename Kind>
-std::unique_ptr<vtkMTTriangleStream> OpenAs(std::unique_ptr<vtkMTFileByteSource> bytes)
+std::unique_ptr<vtkMTTriangleStream> Finish(std::unique_ptr<Kind> stream)
 {
-  auto stream = std::make_unique<Kind>(std::move(bytes));
   return stream->Open() && stream->Rewind() ? std::move(stream) : nullptr;
 }
 }
@@ -184,19 +198,20 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTStlStream::Open(
   const std::string& path, const vtkMTMeshStream::Settings& settings, vtkPolyData*)
 {
   std::string error;
-  auto bytes = vtkMTFileByteSource::Open(path, error);
-  char head[HeadSize] = {};
-  if (!bytes || bytes->GetSize() < 6 ||
-    !bytes->Read(0, static_cast<std::size_t>(std::min(bytes->GetSize(), HeadSize)), head, error))
+  std::unique_ptr<vtkMTByteSource> bytes = vtkMTGzipByteSource::OpenFile(path, error);
+  char head[512] = {};
+  const std::size_t size =
+    bytes ? static_cast<std::size_t>(std::min<std::uint64_t>(bytes->GetSize(), sizeof(head))) : 0;
+  if (size < 6 || !bytes->Read(0, size, head, error))
   {
     return nullptr;
   }
   const bool isLarge = bytes->GetSize() >= settings.LeastSize;
-  std::unique_ptr<vtkMTTriangleStream> stream = OpenAs<BinaryStream>(std::move(bytes));
-  if (!stream && isLarge && vtkMTStlText::IsText(std::string_view(head, HeadSize)))
+  auto binary = std::make_unique<BinaryStream>(std::move(bytes));
+  if (binary->HasSize() || !vtkMTStlText::IsText(std::string_view(head, size)))
   {
-    bytes = vtkMTFileByteSource::Open(path, error);
-    stream = bytes ? OpenAs<TextStream>(std::move(bytes)) : nullptr;
+    return Finish(std::move(binary));
   }
-  return stream;
+  bytes = isLarge ? vtkMTGzipByteSource::OpenFile(path, error) : nullptr;
+  return bytes ? Finish(std::make_unique<TextStream>(std::move(bytes))) : nullptr;
 }

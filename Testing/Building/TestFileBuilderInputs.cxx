@@ -6,6 +6,7 @@
 #include "vtkMTBuildInput.h"
 #include "vtkMTFileBuildReport.h"
 #include "vtkMTFileSource.h"
+#include "vtkMTPatch.h"
 #include "vtkMTScratchStore.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMultiTriangulation.h"
@@ -14,7 +15,9 @@
 
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <cstdio>
+#include <map>
 #include <set>
 
 class FileBuilderInputs : public MTFileBuilderTest
@@ -65,6 +68,9 @@ protected:
     }
     MTIOTest::WriteFile(this->Folder / "volume.vtk", text);
   }
+
+  void WriteLabels(int n) const;
+  std::set<double> GetValues(const std::string& name) const;
 
   vtkMTFileSource Model;
 };
@@ -159,6 +165,92 @@ TEST_F(FileBuilderInputs, OnlyTheNamedArraysAreKept)
   builder->KeepAllArraysOn();
   this->Build(builder);
   EXPECT_EQ(this->GetArrays(), (std::set<std::string>{ "RGB", "TCoords" }));
+}
+
+// A wavy square with labels of bytes and of integers, an intensity and a real array of two values.
+void FileBuilderInputs::WriteLabels(int n) const
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(n * n) +
+    "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar part\nproperty int zone\n"
+    "property uchar intensity\nproperty float side\nelement face " +
+    std::to_string(2 * (n - 1) * (n - 1)) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = 0; i < n * n; ++i)
+  {
+    const bool isLeft = i % n < n / 2;
+    text += std::to_string(i % n) + " " + std::to_string(i / n) + " " +
+      std::to_string(std::sin(0.2 * (i % n)) * std::cos(0.17 * (i / n))) + (isLeft ? " 7 -3" : " 200 12") +
+      (isLeft ? " 7 0.5\n" : " 200 1.5\n");
+  }
+  for (int i = 0; i + n + 1 < n * n; ++i)
+  {
+    if (i % n < n - 1)
+    {
+      text += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + n + 1) + "\n3 " +
+        std::to_string(i) + " " + std::to_string(i + n + 1) + " " + std::to_string(i + n) + "\n";
+    }
+  }
+  MTIOTest::WriteFile(this->Folder / "labels.ply", text);
+}
+
+// Of all patches, as doubles.
+std::set<double> FileBuilderInputs::GetValues(const std::string& name) const
+{
+  std::set<double> values;
+  const std::vector<vtkMTArrayInfo>& arrays = this->Model.GetGraph().Arrays;
+  for (std::uint32_t arc = 0; arc < this->Model.GetGraph().Arcs.size(); ++arc)
+  {
+    vtkMTPatch patch;
+    std::string error;
+    EXPECT_TRUE(this->Model.ReadPatch(arc, nullptr, patch, error)) << error;
+    std::size_t column = 0;
+    for (const vtkMTArrayInfo& array : arrays)
+    {
+      if (array.Association == vtkMTArrayInfo::Cell)
+      {
+        continue;
+      }
+      const vtkMTColumn& bytes = patch.PointColumns[column++];
+      const auto size = static_cast<std::ptrdiff_t>(array.GetTupleSize());
+      for (auto at = bytes.begin(); array.Name == name && at != bytes.end(); at += size)
+      {
+        values.insert(array.GetRanges(vtkMTColumn(at, at + size))[0].Minimum);
+      }
+    }
+  }
+  return values;
+}
+
+TEST_F(FileBuilderInputs, LabelsNeverMix)
+{
+  this->WriteLabels(60);
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->SetFileName((this->Folder / "labels.ply").c_str());
+  builder->SetPatchTriangles(100);
+  this->Build(builder);
+  EXPECT_EQ(this->GetValues("part"), (std::set<double>{ 7, 200 }));
+  EXPECT_EQ(this->GetValues("zone"), (std::set<double>{ -3, 12 }));
+  EXPECT_GT(this->GetValues("intensity").size(), 2u); // a channel of a colour
+  EXPECT_GT(this->GetValues("side").size(), 2u);
+  builder->AddLabelArrayName("side");
+  builder->AddLabelArrayName("zone");
+  builder->AddValueArrayName("zone"); // the last holds
+  this->Build(builder);
+  EXPECT_EQ(this->GetValues("side"), (std::set<double>{ 0.5, 1.5 }));
+  EXPECT_GT(this->GetValues("zone").size(), 2u);
+  std::map<std::string, std::string> meanings;
+  for (const vtkMTArrayInfo& array : this->Model.GetGraph().Arrays)
+  {
+    meanings[array.Name] = array.GetMeaning();
+  }
+  EXPECT_EQ(meanings,
+    (std::map<std::string, std::string>{ { "part", "labels" }, { "zone", "values" }, { "intensity", "colors" },
+      { "side", "labels" }, { "Normals", "directions" }, { "vtkMTInputCellIds", "ids" } }));
+  builder->RemoveAllLabelArrayNames();
+  builder->AddLabelArrayName("nothing");
+  Events events;
+  Observe(builder, events);
+  EXPECT_EQ(builder->Write(), 0);
+  EXPECT_EQ(builder->GetErrorCode(), vtkMultiTriangulationFileBuilder::ArrayError);
 }
 
 TEST_F(FileBuilderInputs, AVolumeNeedsAnIsoValue)

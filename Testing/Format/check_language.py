@@ -47,7 +47,7 @@ ALLOWED = (
     (r"\bpieces?\b", "Filters/Verification/"),
     (r"\bpieces?\b", "Testing/Certification/"),
     (r"\bpieces?\b", "Testing/Verification/"),
-    (r"\bpieces?\b", "IO/Mesh/vtkMTVtpStream"),
+    (r"\bpieces?\b", "IO/Mesh/Vtk/vtkMTVtpStream"),
     (r"\bpieces?\b", "CONTRIBUTING.md"),
     (r"\bpieces?\b", "Documentation/decisions/README.md"),
     (r"\bpieces?\b", "Documentation/decisions/0011"),

@@ -95,6 +95,7 @@ bool vtkMTPlyRows::BeginElement(const vtkMTPlyElement& element)
 {
   this->Element = &element;
   this->Row = 0;
+  this->BadRows = 0;
   this->RowPosition = this->Stream.GetPosition();
   const std::uint64_t smallest = this->Header.GetSmallestRow(element);
   // The last number of a text need not be followed by anything.
@@ -110,6 +111,7 @@ bool vtkMTPlyRows::BeginElement(const vtkMTPlyElement& element)
 bool vtkMTPlyRows::BeginRow()
 {
   ++this->Row;
+  this->HasBadCorner = false;
   this->RowPosition = this->Stream.GetPosition();
   if (this->Header.Format != vtkMTPlyHeader::Ascii || this->Element->Properties.empty())
   {
@@ -127,12 +129,25 @@ bool vtkMTPlyRows::BeginRow()
   return true;
 }
 
-bool vtkMTPlyRows::EndRow()
+bool vtkMTPlyRows::EndRow(bool isRead, bool& isGood)
 {
-  if (this->Header.Format == vtkMTPlyHeader::Ascii && !vtkMTTextFormat::NextToken(this->Line).empty())
+  isGood = isRead && !this->HasBadCorner;
+  const bool isText = this->Header.Format == vtkMTPlyHeader::Ascii;
+  if (isGood)
   {
-    return this->Fail("the line has more values than the header announces");
+    if (isText && !vtkMTTextFormat::NextToken(this->Line).empty())
+    {
+      this->Count("rows_with_more_values");
+    }
+    return true;
   }
+  constexpr std::uint64_t few = 10;
+  const bool isLost = !isRead && (!isText || this->Stream.GetLineEnd() == vtkMTTextFormat::Stream::NoEnd);
+  if (isLost || !this->Stream.GetError().empty() || ++this->BadRows > few + this->Element->Count / few)
+  {
+    return false;
+  }
+  this->Count("bad_records");
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkMTPlyColors;
 class vtkDataArray;
 class vtkDataSetAttributes;
 
@@ -28,13 +29,15 @@ public:
   /// VTK_DOUBLE where single precision does not hold all values of the properties' types, else VTK_FLOAT.
   int FindRealType(const std::vector<std::string>& properties) const;
 
-  /// red green blue (alpha), where they are bytes, as scalars.
-  void AddColors(vtkDataSetAttributes* attributes);
+  /// Colours, of the types that the file has; the first group of them becomes the scalars.
+  void AddColors(const vtkMTPlyColors& colors, vtkDataSetAttributes* attributes);
   /// Every property that is no list and in no array yet, as an array of its own.
   void AddOthers(vtkDataSetAttributes* attributes);
 
   /// For a property that is no list, when AddOthers has been called.
   void Store(std::size_t property, std::uint64_t row, double value);
+  /// Makes a row's values NaN or, of integers, 0.
+  void Blank(std::uint64_t row);
 
 private:
   // Where the values of one property go.

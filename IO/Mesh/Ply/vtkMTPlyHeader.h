@@ -3,6 +3,7 @@
 #ifndef vtkMTPlyHeader_h
 #define vtkMTPlyHeader_h
 
+#include "vtkMTInputReport.h"
 #include "vtkMTTextFormat.h"
 
 #include <cstdint>
@@ -40,6 +41,8 @@ struct vtkMTPlyHeader
   FormatType Format = Ascii;
   std::vector<vtkMTPlyElement> Elements;
   std::vector<std::string> TextureFiles; ///< of lines "comment TextureFile NAME"
+  std::uint64_t IgnoredLines = 0;        ///< that begin with no keyword of PLY
+  std::uint64_t RenamedProperties = 0;   ///< of a name that the element has already: an underscore was appended
 
   /// Takes the header off the stream. False, with the reason and the line in error.
   bool Parse(vtkMTTextFormat::Stream& stream, std::string& error);
@@ -47,6 +50,9 @@ struct vtkMTPlyHeader
   /// Whether there is all that a mesh takes: places of vertices, corners of faces and strips. False with the reason in
   /// error.
   bool CheckIsMesh(std::string& error) const;
+
+  /// What of it was ignored or changed.
+  vtkMTInputReport GetReport() const;
 
   const vtkMTPlyElement* Find(const std::string& name) const;
   /// Bytes that a row takes at least.
@@ -58,6 +64,7 @@ struct vtkMTPlyHeader
   static const char* GetTypeName(int type);
 
 private:
+  bool ParseLines(vtkMTTextFormat::Stream& stream, std::string& error);
   bool ParseLine(std::string_view line, bool& isAtEnd, std::string& error);
   bool ParseFormat(std::string_view line, std::string& error);
   bool ParseElement(std::string_view line, std::string& error);

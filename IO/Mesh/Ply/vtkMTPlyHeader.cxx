@@ -67,6 +67,14 @@ const vtkMTPlyElement* vtkMTPlyHeader::Find(const std::string& name) const
   return nullptr;
 }
 
+vtkMTInputReport vtkMTPlyHeader::GetReport() const
+{
+  vtkMTInputReport report;
+  vtkMTInputReports::Add("ignored_header_lines", this->IgnoredLines, report);
+  vtkMTInputReports::Add("renamed_properties", this->RenamedProperties, report);
+  return report;
+}
+
 std::size_t vtkMTPlyHeader::GetSize(int type)
 {
   switch (type)
@@ -162,8 +170,11 @@ bool vtkMTPlyHeader::ParseProperty(std::string_view line, std::string& error)
   }
   if (element.Find(property.Name))
   {
-    error = "property \"" + property.Name + "\" of element \"" + element.Name + "\" comes twice";
-    return false;
+    ++this->RenamedProperties;
+    do
+    {
+      property.Name += "_";
+    } while (element.Find(property.Name));
   }
   element.Properties.push_back(std::move(property));
   return true;
@@ -194,33 +205,22 @@ bool vtkMTPlyHeader::ParseLine(std::string_view line, bool& isAtEnd, std::string
   {
     return this->ParseProperty(line, error);
   }
+  // Some programs write their name into a line of its own; what is no keyword announces no data.
   isAtEnd = keyword == "end_header";
-  error = isAtEnd ? error : "\"" + std::string(keyword.substr(0, 40)) + "\" is no keyword of PLY";
-  return isAtEnd;
+  this->IgnoredLines += isAtEnd ? 0 : 1;
+  return true;
 }
 
-bool vtkMTPlyHeader::Parse(vtkMTTextFormat::Stream& stream, std::string& error)
+bool vtkMTPlyHeader::ParseLines(vtkMTTextFormat::Stream& stream, std::string& error)
 {
-  *this = vtkMTPlyHeader();
   std::string_view line;
   bool isAtEnd = false;
-  for (std::size_t number = 1; !isAtEnd; ++number)
+  for (std::size_t number = 2; !isAtEnd; ++number)
   {
     if (!stream.TakeLine(line) || line.size() > LargestHeaderLine || number > MostHeaderLines)
     {
-      error = !stream.GetError().empty()                  ? stream.GetError()
-        : number == 1 && stream.IsAtEnd() && line.empty() ? "is empty"
-                                                          : "ends within its header, or has none";
+      error = stream.GetError().empty() ? "ends within its header, or has none" : stream.GetError();
       return false;
-    }
-    if (number == 1)
-    {
-      if (NextToken(line) != "ply")
-      {
-        error = "does not begin with \"ply\"";
-        return false;
-      }
-      continue;
     }
     if (!this->ParseLine(line, isAtEnd, error))
     {
@@ -230,6 +230,37 @@ bool vtkMTPlyHeader::Parse(vtkMTTextFormat::Stream& stream, std::string& error)
   }
   error = this->HasFormat ? error : "has no format in its header";
   return this->HasFormat;
+}
+
+bool vtkMTPlyHeader::Parse(vtkMTTextFormat::Stream& stream, std::string& error)
+{
+  using Stream = vtkMTTextFormat::Stream;
+  *this = vtkMTPlyHeader();
+  stream.SkipByteOrderMark();
+  std::string_view line;
+  if (!stream.TakeLine(line) || line.size() > LargestHeaderLine)
+  {
+    error = !stream.GetError().empty() ? stream.GetError()
+      : stream.IsAtEnd()               ? "is empty"
+                                       : "does not begin with \"ply\"";
+    return false;
+  }
+  if (NextToken(line) != "ply")
+  {
+    error = "does not begin with \"ply\"";
+    return false;
+  }
+  const Stream::LineEndType lineEnd = stream.GetLineEnd();
+  if (!this->ParseLines(stream, error))
+  {
+    return false;
+  }
+  // Where lines end in a return alone, a newline after the last one is the first byte of the data.
+  if (lineEnd == Stream::Return && stream.GetLineEnd() == Stream::ReturnAndNewLine)
+  {
+    stream.GiveNewLineBack();
+  }
+  return true;
 }
 
 const char* vtkMTPlyHeader::GetTypeName(int type)

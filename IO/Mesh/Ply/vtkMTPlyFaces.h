@@ -13,11 +13,13 @@ class vtkCellData;
 class vtkMTPlyFaces
 {
 public:
-  /// Gives the attributes all arrays that the element has, with so many values. There are so many vertices. The element
-  /// must have a list of corners, and outlive this.
-  vtkMTPlyFaces(const vtkMTPlyElement& element, std::uint64_t count, std::uint64_t vertices, vtkCellData* attributes);
+  /// Gives the attributes all arrays that the element has, colours as the file has them, with so many values. There are
+  /// so many vertices. The element must have a list of corners, and outlive this.
+  vtkMTPlyFaces(const vtkMTPlyElement& element, const vtkMTPlyColors& colors, std::uint64_t count,
+    std::uint64_t vertices, vtkCellData* attributes);
 
-  /// Appends the corners of as many rows as there are values. False on failure; the rows say why.
+  /// Appends the corners of as many rows as there are values, none for those that cannot be read. False on failure; the
+  /// rows say why.
   bool Read(vtkMTPlyRows& rows, vtkMTCellCorners& corners);
 
   /// The list "texcoord", two values per corner; nullptr when there is none.
@@ -28,7 +30,7 @@ public:
 private:
   bool ReadRow(vtkMTPlyRows& rows, std::uint64_t row, vtkMTCellCorners& corners);
   bool ReadTexture(vtkMTPlyRows& rows);
-  bool FillTexture(vtkMTPlyRows& rows, std::size_t before, std::size_t wanted);
+  void FillTexture(vtkMTPlyRows& rows, std::size_t before, std::size_t wanted);
 
   const vtkMTPlyElement& Element;
   const std::uint64_t Count;

@@ -39,7 +39,11 @@ public:
   {
     const bool done = this->CheckHead() && this->CheckSections();
     error = done ? error : this->Stream.GetError().empty() ? this->Error : this->Stream.GetError();
-    return done;
+    if (done && this->Type.empty())
+    {
+      error = "holds no polydata, and no grid that has a surface";
+    }
+    return done && !this->Type.empty();
   }
 
 private:
@@ -88,38 +92,69 @@ private:
     while (this->TakeLine())
     {
       const std::string keyword = vtkMTTextFormat::ToLower(NextToken(this->Line));
-      bool done = true;
-      if (keyword == "points")
-      {
-        done = this->CheckPoints();
-      }
-      else if (keyword == "vertices" || keyword == "lines" || keyword == "polygons" || keyword == "triangle_strips")
-      {
-        done = this->IsNew ? this->CheckNewCells() : this->CheckOldCells();
-        this->Error = done ? this->Error : keyword + ": " + this->Error;
-      }
-      else if (keyword == "field")
-      {
-        done = this->SkipField();
-      }
-      else if (keyword == "metadata")
-      {
-        this->SkipMetadata();
-      }
-      else if (keyword == "point_data" || keyword == "cell_data")
+      if (keyword == "point_data" || keyword == "cell_data")
       {
         return true;
       }
-      else if (keyword != "dataset")
-      {
-        return this->Fail("\"" + keyword.substr(0, 40) + "\" is no keyword of polydata");
-      }
-      if (!done)
+      if (!this->CheckSection(keyword))
       {
         return false;
       }
     }
     return this->Stream.GetError().empty();
+  }
+
+  bool CheckSection(const std::string& keyword)
+  {
+    if (keyword == "points")
+    {
+      return this->CheckPoints();
+    }
+    if (keyword == "vertices" || keyword == "lines" || keyword == "polygons" || keyword == "triangle_strips" ||
+      keyword == "cells")
+    {
+      const bool done = this->IsNew ? this->CheckNewCells() : this->CheckOldCells();
+      this->Error = done ? this->Error : keyword + ": " + this->Error;
+      return done;
+    }
+    if (keyword == "field")
+    {
+      return this->SkipField();
+    }
+    if (keyword == "metadata")
+    {
+      this->SkipMetadata();
+      return true;
+    }
+    if (keyword == "dataset")
+    {
+      return this->CheckType();
+    }
+    if (keyword == "cell_types")
+    {
+      std::uint64_t count = 0;
+      return this->TakeCount(count) && this->SkipValues(count, 4);
+    }
+    if (keyword == "x_coordinates" || keyword == "y_coordinates" || keyword == "z_coordinates")
+    {
+      return this->SkipCoordinates();
+    }
+    return keyword == "dimensions" ||
+      this->Fail("\"" + keyword.substr(0, 40) + "\" is no keyword of polydata or grids");
+  }
+
+  bool CheckType()
+  {
+    this->Type = vtkMTTextFormat::ToLower(NextToken(this->Line));
+    return this->Type == "polydata" || this->Type == "unstructured_grid" || this->Type == "structured_grid" ||
+      this->Type == "rectilinear_grid" ||
+      this->Fail("holds no polydata, and no grid that has a surface, but " + this->Type.substr(0, 40));
+  }
+
+  bool SkipCoordinates()
+  {
+    std::uint64_t count = 0;
+    return this->TakeCount(count) && this->SkipValues(count, SizeOf(vtkMTTextFormat::ToLower(NextToken(this->Line))));
   }
 
   // A count that follows a keyword.
@@ -405,6 +440,7 @@ private:
   std::string_view Line;
   bool IsBinary = false;
   bool IsNew = false;
+  std::string Type; // of the dataset
   std::uint64_t Points = 0;
   std::string Error;
 };

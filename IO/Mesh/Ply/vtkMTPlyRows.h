@@ -26,12 +26,17 @@ public:
   }
   /// The count of a list, when its items can be there.
   bool ReadCount(const vtkMTPlyProperty& property, std::uint64_t& count);
-  /// Appends a list of vertices, of which there are so many. Number: std::uint64_t, or a signed one for lists that may
-  /// have -1 between strips.
+  /// Appends a list of vertices, of which there are so many; nothing, and the row is bad, where one does not exist.
+  /// Number: std::uint64_t, or a signed one for lists that may have -1 between strips.
   template <class Number>
   bool ReadCorners(const vtkMTPlyProperty& property, std::uint64_t vertices, std::vector<Number>& corners);
   bool SkipProperty(const vtkMTPlyProperty& property);
-  bool EndRow();
+  /**
+   * Ends a row that was read, or not (isRead). Gives whether the file goes on; isGood becomes whether the row is to be
+   * used. A row of text that cannot be read, and one whose corners do not exist, is a bad record, which the file
+   * survives: others follow in lines of their own. Too many of them, or one in which the file ends, are a failure.
+   */
+  bool EndRow(bool isRead, bool& isGood);
 
   /// Steps over rows of an element without lists; their values are not looked at.
   bool SkipRows(std::uint64_t count);
@@ -44,6 +49,11 @@ public:
 
   /// Bytes after the last element mean that a count is wrong; what editors append is no harm.
   bool CheckIsAtEnd(std::string& error);
+
+  /// What was wrong, by reason, with rows that were read.
+  const vtkMTInputReport& GetReport() const { return this->Report; }
+  /// Something was left out of the row.
+  void Count(const char* reason) { ++this->Report[reason]; }
 
   /// Puts element, row and byte before the reason; for the caller's own findings too. Gives false.
   bool Fail(const std::string& reason);
@@ -62,6 +72,9 @@ private:
   std::uint64_t RowPosition = 0;
   std::string_view Line; // what is left of a row of text
   std::string Error;
+  bool HasBadCorner = false;
+  std::uint64_t BadRows = 0; // of the element
+  vtkMTInputReport Report;
 };
 
 template <class Number>
@@ -72,6 +85,8 @@ bool vtkMTPlyRows::ReadCorners(const vtkMTPlyProperty& property, std::uint64_t v
   {
     return false;
   }
+  const std::size_t before = corners.size();
+  bool good = true;
   for (std::uint64_t i = 0; i < count; ++i)
   {
     double value = 0.0;
@@ -80,13 +95,16 @@ bool vtkMTPlyRows::ReadCorners(const vtkMTPlyProperty& property, std::uint64_t v
       return false;
     }
     const bool isSeparator = std::is_signed_v<Number> && value == -1.0;
-    if (!isSeparator && !(value >= 0.0 && value < static_cast<double>(vertices)))
+    if (good && !isSeparator && !(value >= 0.0 && value < static_cast<double>(vertices)))
     {
-      return this->Fail("vertex " + std::to_string(static_cast<std::int64_t>(value)) + " does not exist; there are " +
+      good = false;
+      this->HasBadCorner = true;
+      this->Fail("vertex " + std::to_string(static_cast<std::int64_t>(value)) + " does not exist; there are " +
         std::to_string(vertices));
     }
-    corners.push_back(static_cast<Number>(value));
+    corners.push_back(good ? static_cast<Number>(value) : Number());
   }
+  corners.resize(good ? corners.size() : before);
   return true;
 }
 

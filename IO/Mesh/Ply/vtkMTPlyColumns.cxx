@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPlyColumns.h"
 
+#include "vtkMTPlyColors.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkType.h"
 
 #include <cstring>
+#include <limits>
 
 namespace
 {
@@ -14,11 +17,6 @@ void StoreAs(unsigned char* to, double value)
 {
   const Number number = static_cast<Number>(value);
   std::memcpy(to, &number, sizeof(number));
-}
-
-bool IsByte(const vtkMTPlyProperty* property)
-{
-  return property && !property->IsList() && property->Type == VTK_UNSIGNED_CHAR;
 }
 }
 
@@ -70,13 +68,15 @@ int vtkMTPlyColumns::FindRealType(const std::vector<std::string>& properties) co
   return type;
 }
 
-void vtkMTPlyColumns::AddColors(vtkDataSetAttributes* attributes)
+void vtkMTPlyColumns::AddColors(const vtkMTPlyColors& colors, vtkDataSetAttributes* attributes)
 {
-  if (IsByte(this->Element.Find("red")) && IsByte(this->Element.Find("green")) && IsByte(this->Element.Find("blue")))
+  for (const vtkMTPlyColors::Group& group : colors.GetGroups())
   {
-    attributes->SetScalars(IsByte(this->Element.Find("alpha"))
-        ? this->Group({ "red", "green", "blue", "alpha" }, "RGBA", VTK_UNSIGNED_CHAR)
-        : this->Group({ "red", "green", "blue" }, "RGB", VTK_UNSIGNED_CHAR));
+    attributes->AddArray(this->Group(group.GetNames(), group.Array.c_str(), group.GetType()));
+  }
+  if (!colors.GetGroups().empty())
+  {
+    attributes->SetActiveScalars(colors.GetGroups().front().Array.c_str());
   }
 }
 
@@ -122,5 +122,18 @@ void vtkMTPlyColumns::Store(std::size_t property, std::uint64_t row, double valu
       return StoreAs<float>(to, value);
     default:
       return StoreAs<double>(to, value);
+  }
+}
+
+void vtkMTPlyColumns::Blank(std::uint64_t row)
+{
+  for (std::size_t i = 0; i < this->Targets.size(); ++i)
+  {
+    const Target& target = this->Targets[i];
+    if (target.Values)
+    {
+      const bool isReal = target.Type == VTK_FLOAT || target.Type == VTK_DOUBLE;
+      this->Store(i, row, isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+    }
   }
 }

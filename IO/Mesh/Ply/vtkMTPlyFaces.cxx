@@ -5,8 +5,8 @@
 
 #include "vtkCellData.h"
 
-vtkMTPlyFaces::vtkMTPlyFaces(
-  const vtkMTPlyElement& element, std::uint64_t count, std::uint64_t vertices, vtkCellData* attributes)
+vtkMTPlyFaces::vtkMTPlyFaces(const vtkMTPlyElement& element, const vtkMTPlyColors& colors, std::uint64_t count,
+  std::uint64_t vertices, vtkCellData* attributes)
   : Element(element)
   , Count(count)
   , Vertices(vertices)
@@ -15,7 +15,7 @@ vtkMTPlyFaces::vtkMTPlyFaces(
   , Texture(element.Find("texcoord"))
 {
   this->Texture = this->Texture && this->Texture->IsList() ? this->Texture : nullptr;
-  this->Columns.AddColors(attributes);
+  this->Columns.AddColors(colors, attributes);
   this->Columns.AddOthers(attributes);
 }
 
@@ -31,9 +31,22 @@ bool vtkMTPlyFaces::Read(vtkMTPlyRows& rows, vtkMTCellCorners& corners)
     {
       corners.Ends.push_back(before + 3 * t);
     }
-    if (triangles == 0 && !this->ReadRow(rows, row, corners))
+    if (triangles == 0)
     {
-      return false;
+      const std::size_t textureBefore = this->TextureCoordinates.size();
+      bool isGood = true;
+      if (!rows.BeginRow() || !rows.EndRow(this->ReadRow(rows, row, corners), isGood))
+      {
+        return false;
+      }
+      if (!isGood)
+      {
+        corners.Points.resize(before);
+        this->TextureCoordinates.resize(textureBefore);
+        this->Columns.Blank(row);
+      }
+      corners.Ends.push_back(corners.Points.size());
+      this->FillTexture(rows, textureBefore, 2 * (corners.Points.size() - before));
     }
     row += triangles > 0 ? triangles : 1;
   }
@@ -42,12 +55,6 @@ bool vtkMTPlyFaces::Read(vtkMTPlyRows& rows, vtkMTCellCorners& corners)
 
 bool vtkMTPlyFaces::ReadRow(vtkMTPlyRows& rows, std::uint64_t row, vtkMTCellCorners& corners)
 {
-  const std::size_t before = corners.Points.size();
-  const std::size_t textureBefore = this->TextureCoordinates.size();
-  if (!rows.BeginRow())
-  {
-    return false;
-  }
   for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
   {
     const vtkMTPlyProperty& property = this->Element.Properties[i];
@@ -65,9 +72,7 @@ bool vtkMTPlyFaces::ReadRow(vtkMTPlyRows& rows, std::uint64_t row, vtkMTCellCorn
       this->Columns.Store(i, row, value);
     }
   }
-  corners.Ends.push_back(corners.Points.size());
-  return (!this->Texture || this->FillTexture(rows, textureBefore, 2 * (corners.Points.size() - before))) &&
-    rows.EndRow();
+  return true;
 }
 
 // The face's corners may come before or after them in the row.
@@ -90,14 +95,18 @@ bool vtkMTPlyFaces::ReadTexture(vtkMTPlyRows& rows)
   return true;
 }
 
-bool vtkMTPlyFaces::FillTexture(vtkMTPlyRows& rows, std::size_t before, std::size_t wanted)
+// A face without coordinates, or with too many or too few of them, gets zeros.
+void vtkMTPlyFaces::FillTexture(vtkMTPlyRows& rows, std::size_t before, std::size_t wanted)
 {
   const std::size_t found = this->TextureCoordinates.size() - before;
-  if (found == 0)
+  if (!this->Texture || found == wanted)
   {
-    this->TextureCoordinates.resize(before + wanted, 0.0);
-    return true;
+    return;
   }
-  return found == wanted ||
-    rows.Fail(std::to_string(found) + " texture coordinates for " + std::to_string(wanted / 2) + " corners");
+  if (found > 0)
+  {
+    rows.Count("faces_with_impossible_texture_coordinates");
+  }
+  this->TextureCoordinates.resize(before);
+  this->TextureCoordinates.resize(before + wanted, 0.0);
 }

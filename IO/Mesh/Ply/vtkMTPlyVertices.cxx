@@ -9,7 +9,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-vtkMTPlyVertices::vtkMTPlyVertices(const vtkMTPlyElement& element, std::uint64_t count, vtkPolyData* output)
+vtkMTPlyVertices::vtkMTPlyVertices(
+  const vtkMTPlyElement& element, const vtkMTPlyColors& colors, std::uint64_t count, vtkPolyData* output)
   : Element(element)
   , Count(count)
   , Columns(element, count)
@@ -21,7 +22,7 @@ vtkMTPlyVertices::vtkMTPlyVertices(const vtkMTPlyElement& element, std::uint64_t
   vtkPointData* attributes = output->GetPointData();
   const std::vector<std::string> normal = { "nx", "ny", "nz" };
   attributes->SetNormals(this->Columns.Group(normal, "Normals", this->Columns.FindRealType(normal)));
-  this->Columns.AddColors(attributes);
+  this->Columns.AddColors(colors, attributes);
   const std::vector<std::vector<std::string>> pairs = { { "s", "t" }, { "u", "v" }, { "texture_u", "texture_v" },
     { "texture_s", "texture_t" } };
   for (const std::vector<std::string>& pair : pairs)
@@ -38,26 +39,32 @@ bool vtkMTPlyVertices::Read(vtkMTPlyRows& rows)
 {
   for (std::uint64_t row = 0; row < this->Count; ++row)
   {
-    if (!rows.BeginRow())
+    bool isGood = true;
+    if (!rows.BeginRow() || !rows.EndRow(this->ReadRow(rows, row), isGood))
     {
       return false;
     }
-    for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
+    if (!isGood)
     {
-      const vtkMTPlyProperty& property = this->Element.Properties[i];
-      double value = 0.0;
-      if (property.IsList() ? !rows.SkipProperty(property) : !rows.Read(property, value))
-      {
-        return false;
-      }
-      if (!property.IsList())
-      {
-        this->Columns.Store(i, row, value);
-      }
+      this->Columns.Blank(row);
     }
-    if (!rows.EndRow())
+  }
+  return true;
+}
+
+bool vtkMTPlyVertices::ReadRow(vtkMTPlyRows& rows, std::uint64_t row)
+{
+  for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
+  {
+    const vtkMTPlyProperty& property = this->Element.Properties[i];
+    double value = 0.0;
+    if (property.IsList() ? !rows.SkipProperty(property) : !rows.Read(property, value))
     {
       return false;
+    }
+    if (!property.IsList())
+    {
+      this->Columns.Store(i, row, value);
     }
   }
   return true;

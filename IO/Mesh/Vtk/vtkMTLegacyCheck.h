@@ -10,8 +10,8 @@ class vtkMTByteSource;
 namespace vtkMTLegacyCheck
 {
 /**
- * VTK 9.1's vtkPolyDataReader follows the counts and indices in the cells of a polydata file without a look at them,
- * and crashes where the file ends among them. So this goes through the file first, up to the end of its cells (arrays
+ * VTK 9.1's readers follow the counts and indices in the cells of polydata and grids without a look at them, and crash
+ * where the file ends among them. So this goes through the file first, up to the end of its cells (arrays
  * come after them), in text or binary, in the formats before and after version 5.
  */
 bool Check(const vtkMTByteSource& bytes, std::string& error);

@@ -12,14 +12,17 @@ class vtkPolyData;
 class vtkMTPlyVertices
 {
 public:
-  /// Gives the output so many points, and all arrays that the element has. The element must have x, y and z, and
-  /// outlive this.
-  vtkMTPlyVertices(const vtkMTPlyElement& element, std::uint64_t count, vtkPolyData* output);
+  /// Gives the output so many points, and all arrays that the element has, colours as the file has them. The element
+  /// must have x, y and z, and outlive this.
+  vtkMTPlyVertices(
+    const vtkMTPlyElement& element, const vtkMTPlyColors& colors, std::uint64_t count, vtkPolyData* output);
 
-  /// Reads as many rows as there are points. False on failure; the rows say why.
+  /// Reads as many rows as there are points; those that cannot be read become NaN. False on failure; the rows say why.
   bool Read(vtkMTPlyRows& rows);
 
 private:
+  bool ReadRow(vtkMTPlyRows& rows, std::uint64_t row);
+
   const vtkMTPlyElement& Element;
   const std::uint64_t Count;
   vtkMTPlyColumns Columns;
