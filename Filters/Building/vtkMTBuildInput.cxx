@@ -61,7 +61,7 @@ bool vtkMTBuildInput::CheckGoesOn(vtkMTBuildError& error) const
 
 //------------------------------------------------------------------------------
 // Read whole
-bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error) const
+bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error)
 {
   std::string reason;
   bool good = true;
@@ -81,7 +81,7 @@ bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMT
   }
   else
   {
-    good = vtkMTMeshReader::Read(path, mesh, reason);
+    good = vtkMTMeshReader::Read(path, mesh, reason, &this->Found.Counts);
   }
   return good || error.Fail(vtkErrorCode::FileFormatError, reason);
 }

@@ -69,7 +69,7 @@ private:
   std::unique_ptr<vtkMTTriangleStream> StreamTerrain(vtkMTSpoolStore& store, vtkMTBuildError& error) const;
   std::unique_ptr<vtkMTTriangleStream> StreamParts(vtkMTSpoolStore& store, std::uint64_t memory);
   bool ReadParts(std::vector<ReadPart>& parts, vtkMTBuildError& error);
-  bool ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error) const;
+  bool ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error);
   bool CheckGoesOn(vtkMTBuildError& error) const;
 
   const vtkMTInputSettings Settings;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <limits>
 
 namespace
 {
@@ -20,6 +21,23 @@ std::string_view WithoutPlus(std::string_view token)
   return hasPlus ? token.substr(1) : token;
 }
 
+// What Microsoft's runtime library writes for NaN and infinity: "1.#QNAN", "-1.#IND00", "1.#INF".
+template <typename Real>
+bool ToSpecial(std::string_view token, Real& value)
+{
+  const bool isNegative = !token.empty() && token[0] == '-';
+  token.remove_prefix(isNegative ? 1 : 0);
+  if (token.substr(0, 3) != "1.#")
+  {
+    return false;
+  }
+  const std::string name = vtkMTTextFormat::ToLower(token.substr(3, 4));
+  const bool isInfinite = name.substr(0, 3) == "inf";
+  value = isInfinite ? std::numeric_limits<Real>::infinity() : std::numeric_limits<Real>::quiet_NaN();
+  value = isNegative ? -value : value;
+  return isInfinite || name.substr(0, 3) == "ind" || name == "qnan" || name == "snan";
+}
+
 // A number out of range: of the two reasons, being too small is told by its negative exponent.
 template <typename Real>
 bool ToReal(std::string_view token, Real& value)
@@ -29,7 +47,7 @@ bool ToReal(std::string_view token, Real& value)
   const std::from_chars_result result = std::from_chars(token.data(), end, value);
   if (token.empty() || result.ptr != end || result.ec == std::errc::invalid_argument)
   {
-    return false;
+    return ToSpecial(token, value);
   }
   if (result.ec == std::errc::result_out_of_range)
   {
@@ -102,6 +120,30 @@ bool ToNumber(std::string_view token, std::int64_t& value)
   return !token.empty() && result.ptr == end && result.ec == std::errc();
 }
 
+std::size_t GetByteOrderMarkSize(std::string_view begin)
+{
+  return begin.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+}
+
+bool IsUtf16(std::string_view begin)
+{
+  const std::string_view mark = begin.substr(0, 2);
+  const bool isMarked = mark == "\xFF\xFE" || mark == "\xFE\xFF";
+  // Without a mark: letters of ASCII, each with a zero byte on the same side.
+  const std::string_view letters = begin.substr(isMarked ? 2 : 0, 8);
+  const auto isText = [letters](std::size_t zero)
+  {
+    bool good = letters.size() == 8;
+    for (std::size_t i = 0; good && i < letters.size(); ++i)
+    {
+      const char c = letters[i];
+      good = i % 2 == zero ? c == 0 : (c >= ' ' && c <= '~') || IsSpace(c);
+    }
+    return good;
+  };
+  return isText(0) || isText(1);
+}
+
 //------------------------------------------------------------------------------
 Stream::Stream(const vtkMTByteSource& source)
   : Source(source)
@@ -162,6 +204,15 @@ bool Stream::Skip(std::uint64_t count)
   return true;
 }
 
+void Stream::SkipByteOrderMark()
+{
+  while (this->Buffer.size() - this->Next < 3 && this->Fill())
+  {
+  }
+  const auto [bytes, size] = this->GetBuffered();
+  this->Next += GetByteOrderMarkSize(std::string_view(reinterpret_cast<const char*>(bytes), size));
+}
+
 bool Stream::TakeLine(std::string_view& line)
 {
   std::size_t looked = 0; // bytes after Next that hold no end of line
@@ -176,6 +227,7 @@ bool Stream::TakeLine(std::string_view& line)
       line = std::string_view(begin, static_cast<std::size_t>(end - begin));
       const bool isPair = *end == '\r' && end + 1 != begin + size && end[1] == '\n';
       this->Next += line.size() + (isPair ? 2 : 1);
+      this->LineEnd = isPair ? ReturnAndNewLine : *end == '\r' ? Return : NewLine;
       return true;
     }
     looked = static_cast<std::size_t>(end - begin);
@@ -189,6 +241,7 @@ bool Stream::TakeLine(std::string_view& line)
       begin = reinterpret_cast<const char*>(this->Buffer.data() + this->Next);
       line = std::string_view(begin, this->Buffer.size() - this->Next);
       this->Next = this->Buffer.size();
+      this->LineEnd = NoEnd;
       return this->Error.empty() && !line.empty();
     }
   }

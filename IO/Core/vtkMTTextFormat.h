@@ -23,11 +23,17 @@ VTKMTIOCORE_EXPORT std::string_view NextToken(std::string_view& line);
 
 ///@{
 /// The whole token as a number, whatever the locale; false when it is none. A number too small becomes 0, one too large
-/// is none.
+/// is none. "1.#INF", "1.#IND", "1.#QNAN" and their like, which Windows writes, are infinity and NaN.
 VTKMTIOCORE_EXPORT bool ToNumber(std::string_view token, double& value);
 VTKMTIOCORE_EXPORT bool ToNumber(std::string_view token, float& value);
 VTKMTIOCORE_EXPORT bool ToNumber(std::string_view token, std::int64_t& value);
 ///@}
+
+/// Bytes of the byte order mark of UTF-8 that the text begins with: 3, or 0 where there is none.
+VTKMTIOCORE_EXPORT std::size_t GetByteOrderMarkSize(std::string_view begin);
+
+/// Whether a file that begins like this is text in UTF-16, with a byte order mark or without.
+VTKMTIOCORE_EXPORT bool IsUtf16(std::string_view begin);
 
 /// A byte source from front to end, in blocks.
 class VTKMTIOCORE_EXPORT Stream
@@ -53,6 +59,21 @@ public:
   /// failure and when the line is longer than LargestLine.
   bool TakeLine(std::string_view& line);
 
+  enum LineEndType
+  {
+    NoEnd, ///< the bytes ended
+    NewLine,
+    Return,
+    ReturnAndNewLine
+  };
+  /// How the last line ended.
+  LineEndType GetLineEnd() const { return this->LineEnd; }
+  /// Gives the newline back that was taken for a part of the last line's end.
+  void GiveNewLineBack() { --this->Next; }
+
+  /// Steps over a byte order mark of UTF-8, where one comes next.
+  void SkipByteOrderMark();
+
   /// Why Take or TakeLine gave nothing; empty when the bytes are just at their end.
   const std::string& GetError() const { return this->Error; }
 
@@ -66,6 +87,7 @@ private:
   std::vector<unsigned char> Buffer;
   std::uint64_t Offset = 0; // of the buffer in the source
   std::size_t Next = 0;     // in the buffer
+  LineEndType LineEnd = NoEnd;
   std::string Error;
 };
 }

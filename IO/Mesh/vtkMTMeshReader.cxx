@@ -3,6 +3,7 @@
 
 #include "vtkMTErrorCollector.h"
 #include "vtkMTFileByteSource.h"
+#include "vtkMTInputReport.h"
 #include "vtkMTLegacyCheck.h"
 #include "vtkMTObjReader.h"
 #include "vtkMTPlyReader.h"
@@ -295,7 +296,7 @@ bool ReadFormat(
   }
 }
 
-bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
+bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error, vtkMTInputReport& report)
 {
   char buffer[512] = {};
   const std::uint64_t size = bytes.GetSize();
@@ -316,7 +317,7 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
   {
     return format == Format::Ply ? vtkMTPlyReader::Read(bytes, output, error)
       : format == Format::Stl    ? vtkMTStlReader::Read(bytes, output, error)
-                                 : vtkMTObjReader::Read(bytes, output, error);
+                                 : vtkMTObjReader::Read(bytes, output, error, &report);
   }
   std::string reason;
   if (!ReadFormat(format, bytes, begin, output, reason))
@@ -328,7 +329,8 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
 }
 }
 
-bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::string& error)
+bool vtkMTMeshReader::Read(
+  const std::string& path, vtkPolyData* output, std::string& error, std::map<std::string, std::int64_t>* report)
 {
   output->Initialize();
   const auto bytes = vtkMTFileByteSource::Open(path, error);
@@ -336,11 +338,12 @@ bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::st
   {
     return false;
   }
+  vtkMTInputReport counts;
   bool done = false;
   try
   {
     std::string reason;
-    done = ReadBytes(*bytes, output, error);
+    done = ReadBytes(*bytes, output, error, counts);
     if (done && !CheckMesh(output, reason))
     {
       done = false;
@@ -354,6 +357,10 @@ bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::st
   if (!done)
   {
     output->Initialize();
+  }
+  else if (report)
+  {
+    vtkMTInputReports::Add(counts, *report);
   }
   return done;
 }

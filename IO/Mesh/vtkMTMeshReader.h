@@ -20,6 +20,8 @@
 
 #include "vtkMTIOMeshModule.h" // For export macro
 
+#include <cstdint>
+#include <map>
 #include <string>
 
 class vtkPolyData;
@@ -27,8 +29,10 @@ class vtkPolyData;
 class VTKMTIOMESH_EXPORT vtkMTMeshReader
 {
 public:
-  /// False, with the reason in error, and an empty output when there is no mesh.
-  static bool Read(const std::string& path, vtkPolyData* output, std::string& error);
+  /// False, with the reason in error, and an empty output when there is no mesh. The report gets what was left out, made
+  /// up or changed, by reason, as far as the reader did it.
+  static bool Read(const std::string& path, vtkPolyData* output, std::string& error,
+    std::map<std::string, std::int64_t>* report = nullptr);
 };
 
 #endif

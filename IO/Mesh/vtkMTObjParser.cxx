@@ -10,6 +10,8 @@ using vtkMTTextFormat::NextToken;
 
 namespace
 {
+constexpr std::size_t MostNumbers = 7; // of a vertex: x y z r g b a
+
 // Whether the decimal text says more than single precision keeps: whether rounding moves it by more than half of its
 // last digit.
 bool NeedsDouble(std::string_view token, double value)
@@ -29,35 +31,112 @@ bool NeedsDouble(std::string_view token, double value)
   }
   return shift > 0.5 * std::pow(10.0, static_cast<double>(exponent) - decimals);
 }
+
+bool IsComment(std::string_view token)
+{
+  return !token.empty() && token[0] == '#';
 }
 
+std::string_view Trim(std::string_view text)
+{
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+// Numbers up to the first token that is none. Those that are not finite are none here.
+std::size_t ReadFinite(std::string_view line, std::size_t most, float* values)
+{
+  std::size_t count = 0;
+  for (; count < most; ++count)
+  {
+    float value = 0.0f;
+    if (!vtkMTTextFormat::ToNumber(NextToken(line), value) || !std::isfinite(value))
+    {
+      break;
+    }
+    values[count] = value;
+  }
+  return count;
+}
+
+enum class IndexType
+{
+  Good,
+  Empty,
+  Missing, // there is nothing of that number
+  Bad
+};
+
+// The number before the next slash: counted from 1, or backwards from the latest.
+IndexType ReadIndex(std::string_view& token, std::uint64_t count, std::uint64_t& index)
+{
+  const std::size_t slash = std::min(token.find('/'), token.size());
+  const std::string_view digits = token.substr(0, slash);
+  token.remove_prefix(std::min(slash + 1, token.size()));
+  if (digits.empty())
+  {
+    return IndexType::Empty;
+  }
+  std::int64_t number = 0;
+  if (!vtkMTTextFormat::ToNumber(digits, number))
+  {
+    return IndexType::Bad;
+  }
+  if (number == 0 || number < -static_cast<std::int64_t>(count))
+  {
+    return IndexType::Missing;
+  }
+  index = number > 0 ? static_cast<std::uint64_t>(number) - 1 : count - static_cast<std::uint64_t>(-number);
+  return IndexType::Good;
+}
+}
+
+int vtkMTObjParser::NameList::GetId(const std::string& name)
+{
+  const auto inserted = this->Ids.emplace(name, static_cast<int>(this->Names.size()));
+  if (inserted.second)
+  {
+    this->Names.push_back(name);
+  }
+  return inserted.first->second;
+}
+
+//------------------------------------------------------------------------------
 bool vtkMTObjParser::Parse(std::string& error)
 {
-  std::string_view line;
-  while (this->TakeWholeLine(line))
+  bool good = this->CheckEncoding();
+  for (std::string_view line; good && this->TakeWholeLine(line);)
   {
-    if (!this->ReadLine(line))
-    {
-      error = "line " + std::to_string(this->LineNumber) + ": " + this->Error;
-      return false;
-    }
+    good = this->ReadLine(line);
   }
-  error = this->Stream.GetError();
-  return error.empty() && this->CheckIndices(error);
+  error = good ? this->Stream.GetError() : this->Error;
+  return error.empty();
 }
 
+bool vtkMTObjParser::CheckEncoding()
+{
+  this->Stream.SkipByteOrderMark();
+  const auto [bytes, size] = this->Stream.GetBuffered();
+  return !vtkMTTextFormat::IsUtf16({ reinterpret_cast<const char*>(bytes), size }) ||
+    this->Fail("is text in UTF-16; save it as UTF-8");
+}
+
+// A backslash at the end of a line, but for comments, joins it to the next as a blank would.
 bool vtkMTObjParser::TakeWholeLine(std::string_view& line)
 {
   this->Joined.clear();
   while (this->Stream.TakeLine(line))
   {
-    ++this->LineNumber;
-    const bool goesOn = !line.empty() && line.back() == '\\';
+    const std::size_t last = line.find_last_not_of(" \t");
+    const bool goesOn = last != std::string_view::npos && line[last] == '\\' &&
+      (!this->Joined.empty() || !IsComment(line.substr(line.find_first_not_of(" \t"))));
     if (!goesOn && this->Joined.empty())
     {
       return true;
     }
-    this->Joined.append(line.substr(0, line.size() - (goesOn ? 1 : 0)));
+    this->Joined.append(goesOn ? line.substr(0, last) : line);
+    this->Joined.push_back(' ');
     if (!goesOn || this->Joined.size() > vtkMTTextFormat::Stream::LargestLine)
     {
       line = this->Joined;
@@ -71,185 +150,261 @@ bool vtkMTObjParser::TakeWholeLine(std::string_view& line)
 bool vtkMTObjParser::ReadLine(std::string_view line)
 {
   const std::string_view keyword = NextToken(line);
-  float values[3] = { 0.0f, 0.0f, 0.0f };
+  if (keyword.empty() || IsComment(keyword))
+  {
+    return true;
+  }
   if (keyword == "v")
   {
     return this->ReadVertex(line);
   }
   if (keyword == "vt")
   {
-    ++this->Textures;
-    return this->ReadNumbers(line, 1, 2, values) && this->AddTexture(values);
+    return this->ReadTexture(line);
   }
   if (keyword == "vn")
   {
-    ++this->Normals;
-    return this->ReadNumbers(line, 3, 3, values) && this->AddNormal(values);
+    return this->ReadNormal(line);
   }
   if (keyword == "f" || keyword == "fo")
   {
-    return this->ReadCell(line, true);
+    return this->ReadCell(line, Face, 3);
   }
   if (keyword == "l")
   {
-    return this->ReadCell(line, false);
+    return this->ReadCell(line, Line, 2);
   }
+  if (keyword == "p")
+  {
+    return this->ReadCell(line, Vertices, 1);
+  }
+  if (!this->ReadNames(keyword, line))
+  {
+    this->CountIgnored(keyword, line);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Of so many that are numbers; more than MostNumbers when there are more.
+std::size_t vtkMTObjParser::ReadCoordinates(std::string_view line, double* values)
+{
+  std::size_t count = 0;
+  for (std::string_view token = NextToken(line); !token.empty() && !IsComment(token); token = NextToken(line))
+  {
+    double value = 0.0;
+    if (count == MostNumbers || !vtkMTTextFormat::ToNumber(token, value))
+    {
+      this->Count("ignored_numbers");
+      return count;
+    }
+    this->IsDouble = this->IsDouble || (count < 3 && NeedsDouble(token, value));
+    values[count++] = value;
+  }
+  return count;
+}
+
+// x y z, x y z w, x y z r g b, x y z r g b a
+bool vtkMTObjParser::ReadVertex(std::string_view line)
+{
+  double values[MostNumbers];
+  const std::size_t count = this->ReadCoordinates(line, values);
+  ++this->Points;
+  if (count < 3)
+  {
+    this->Count("bad_vertices"); // keeps its number
+    std::fill_n(values, 3, std::numeric_limits<double>::quiet_NaN());
+  }
+  else if (!std::all_of(values, values + 3, [](double value) { return std::isfinite(value); }))
+  {
+    this->Count("not_finite_vertices");
+  }
+  if (count == 5 || (count == 4 && values[3] != 1.0))
+  {
+    this->Count(count == 5 ? "ignored_numbers" : "ignored_weights");
+  }
+  return this->AddVertex(values, this->TakeColor(values, count));
+}
+
+vtkMTObjParser::Color vtkMTObjParser::TakeColor(const double* values, std::size_t count)
+{
+  Color color = { NoColor, NoColor, NoColor, NoColor };
+  if (count < 6 || !std::all_of(values + 3, values + count, [](double value) { return std::isfinite(value); }))
+  {
+    return color;
+  }
+  ++this->ColoredVertices;
+  for (std::size_t i = 0; i + 3 < count; ++i)
+  {
+    color[i] = static_cast<float>(values[3 + i]);
+    this->AreColorsWhole = this->AreColorsWhole && (i == 3 || color[i] == std::floor(color[i]));
+    float& largest = i < 3 ? this->LargestColor : this->LargestAlpha;
+    largest = std::max(largest, color[i]);
+  }
+  return color;
+}
+
+// Colors are counted from 0 to 255 where they are whole numbers above 1, or far above 1.
+vtkMTObjParser::Color vtkMTObjParser::FinishColor(Color color) const
+{
+  const bool isOf255 = this->LargestColor > 2.0f || (this->LargestColor > 1.0f && this->AreColorsWhole);
+  const float scales[2] = { isOf255 ? 255.0f : 1.0f, this->LargestAlpha > 1.0f ? 255.0f : 1.0f };
+  for (std::size_t i = 0; i < color.size(); ++i)
+  {
+    color[i] = std::isnan(color[i]) ? 1.0f : color[i] / scales[i / 3];
+  }
+  return color;
+}
+
+bool vtkMTObjParser::ReadTexture(std::string_view line)
+{
+  float values[2] = { 0.0f, 0.0f };
+  std::string_view rest = line;
+  NextToken(rest);
+  const std::string_view second = NextToken(rest);
+  const std::size_t wanted = second.empty() || IsComment(second) ? 1 : 2;
+  if (ReadFinite(line, wanted, values) < wanted)
+  {
+    this->Count("bad_texture_coordinates");
+    values[0] = values[1] = 0.0f;
+  }
+  ++this->Textures;
+  return this->AddTexture(values);
+}
+
+bool vtkMTObjParser::ReadNormal(std::string_view line)
+{
+  float values[3] = { 0.0f, 0.0f, 0.0f };
+  if (ReadFinite(line, 3, values) < 3)
+  {
+    this->Count("bad_normals");
+    std::fill_n(values, 3, 0.0f);
+  }
+  ++this->Normals;
+  return this->AddNormal(values);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTObjParser::ReadCorner(std::string_view token, Corner& corner)
+{
+  const IndexType point = ReadIndex(token, this->Points, corner.Point);
+  const IndexType texture = ReadIndex(token, this->Textures, corner.Texture);
+  const IndexType normal = ReadIndex(token, this->Normals, corner.Normal);
+  this->MissingTextures += texture == IndexType::Missing ? 1 : 0;
+  this->MissingNormals += normal == IndexType::Missing ? 1 : 0;
+  return token.empty() && point == IndexType::Good && texture != IndexType::Bad && normal != IndexType::Bad;
+}
+
+void vtkMTObjParser::CountCorners()
+{
+  this->FaceCorners += this->ThisCell.Corners.size();
+  for (const Corner& corner : this->ThisCell.Corners)
+  {
+    this->CornersWithTexture += corner.Texture != None ? 1 : 0;
+    this->CornersWithNormal += corner.Normal != None ? 1 : 0;
+  }
+}
+
+bool vtkMTObjParser::ReadCell(std::string_view line, KindType kind, std::size_t least)
+{
+  Cell& cell = this->ThisCell;
+  cell.Kind = kind;
+  cell.Corners.clear();
+  bool good = true;
+  for (std::string_view token = NextToken(line); !token.empty() && !IsComment(token); token = NextToken(line))
+  {
+    cell.Corners.emplace_back();
+    good = this->ReadCorner(token, cell.Corners.back()) && good;
+  }
+  if (!good || cell.Corners.size() < least)
+  {
+    this->Count(good ? "degenerate_cells" : "bad_cells");
+    return true;
+  }
+  this->Group = this->Group < 0 ? this->Groups.GetId(this->GroupName) : this->Group;
+  this->Object = this->Object < 0 && !this->ObjectName.empty() ? this->Objects.GetId(this->ObjectName) : this->Object;
+  this->HasCellsOfNoObject = this->HasCellsOfNoObject || this->Object < 0;
+  cell.Material = this->Material;
+  cell.Group = this->Group;
+  cell.Object = this->Object;
+  if (kind == Face)
+  {
+    ++this->Faces;
+    this->CountCorners();
+  }
+  return this->AddCell(cell);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTObjParser::ReadNames(std::string_view keyword, std::string_view line)
+{
+  const std::string name(Trim(line));
   if (keyword == "g")
   {
-    ++this->Group;
+    this->Group = -1;
+    this->GroupName = name.empty() ? "default" : name;
+  }
+  else if (keyword == "o")
+  {
+    this->Object = -1;
+    this->ObjectName = name;
   }
   else if (keyword == "usemtl")
   {
-    this->UseMaterial(line);
+    this->Material = name.empty() ? -1 : this->Materials.GetId(name);
   }
   else if (keyword == "mtllib")
   {
-    this->UseLibraries(line);
-  }
-  return true;
-}
-
-// x y z, x y z w, x y z r g b
-bool vtkMTObjParser::ReadVertex(std::string_view line)
-{
-  double values[7];
-  std::size_t count = 0;
-  for (std::string_view token = NextToken(line); !token.empty() && token[0] != '#'; token = NextToken(line))
-  {
-    if (count == 7 || !vtkMTTextFormat::ToNumber(token, values[count]))
-    {
-      return this->Fail("\"" + std::string(token.substr(0, 40)) + "\" is no coordinate");
-    }
-    this->IsDouble = this->IsDouble || (count < 3 && NeedsDouble(token, values[count]));
-    ++count;
-  }
-  if (count < 3)
-  {
-    return this->Fail("a vertex with " + std::to_string(count) + " coordinates");
-  }
-  this->HasColors = count >= 6 && (this->HasColors || this->Points == 0);
-  ++this->Points;
-  float colors[3] = { 0.0f, 0.0f, 0.0f };
-  for (std::size_t i = 0; this->HasColors && i < 3; ++i)
-  {
-    colors[i] = static_cast<float>(values[count - 3 + i]);
-  }
-  return this->AddVertex(values, this->HasColors ? colors : nullptr);
-}
-
-bool vtkMTObjParser::ReadNumbers(std::string_view line, std::size_t least, std::size_t count, float* values)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::string_view token = NextToken(line);
-    if ((!token.empty() || i < least) && !vtkMTTextFormat::ToNumber(token, values[i]))
-    {
-      return this->Fail("\"" + std::string(token.substr(0, 40)) + "\" is no number");
-    }
-  }
-  return true;
-}
-
-// The number before the next slash: counted from 1, or backwards from the latest. An empty one is None.
-bool vtkMTObjParser::ReadIndex(std::string_view& token, std::uint64_t count, std::uint64_t& index)
-{
-  const std::size_t slash = std::min(token.find('/'), token.size());
-  const std::string_view digits = token.substr(0, slash);
-  token.remove_prefix(std::min(slash + 1, token.size()));
-  index = None;
-  if (digits.empty())
-  {
-    return true;
-  }
-  std::int64_t number = 0;
-  if (!vtkMTTextFormat::ToNumber(digits, number) || number == 0 || number < -static_cast<std::int64_t>(count))
-  {
-    return false;
-  }
-  index = number > 0 ? static_cast<std::uint64_t>(number) - 1 : count - static_cast<std::uint64_t>(-number);
-  return true;
-}
-
-bool vtkMTObjParser::ReadCorner(std::string_view token, Corner& corner)
-{
-  const std::string_view whole = token;
-  if (!ReadIndex(token, this->Points, corner.Point) || corner.Point == None ||
-    !ReadIndex(token, this->Textures, corner.Texture) || !ReadIndex(token, this->Normals, corner.Normal) ||
-    !token.empty())
-  {
-    return this->Fail("\"" + std::string(whole.substr(0, 40)) + "\" is no corner of a face");
-  }
-  const auto see = [](std::uint64_t index, std::uint64_t& largest)
-  { largest = index == None ? largest : std::max(largest, index + 1); };
-  see(corner.Point, this->Largest.Point);
-  see(corner.Texture, this->Largest.Texture);
-  see(corner.Normal, this->Largest.Normal);
-  return true;
-}
-
-bool vtkMTObjParser::ReadCell(std::string_view line, bool isFace)
-{
-  const std::size_t least = isFace ? 3 : 2;
-  this->ThisCell.IsFace = isFace;
-  this->ThisCell.Corners.clear();
-  for (std::string_view token = NextToken(line); !token.empty() && token[0] != '#'; token = NextToken(line))
-  {
-    this->ThisCell.Corners.emplace_back();
-    if (!this->ReadCorner(token, this->ThisCell.Corners.back()))
-    {
-      return false;
-    }
-  }
-  if (this->ThisCell.Corners.size() < least)
-  {
-    return this->Fail(std::string(isFace ? "a face" : "a line") + " with " +
-      std::to_string(this->ThisCell.Corners.size()) + " corners");
-  }
-  this->ThisCell.Material = this->Material;
-  this->ThisCell.Group = std::max(this->Group, 0);
-  ++(isFace ? this->Faces : this->Lines);
-  return this->AddCell(this->ThisCell);
-}
-
-void vtkMTObjParser::UseMaterial(std::string_view line)
-{
-  const std::string name(NextToken(line));
-  const auto inserted = this->Materials.emplace(name, static_cast<int>(this->MaterialNames.size()));
-  if (inserted.second)
-  {
-    this->MaterialNames.push_back(name);
-  }
-  this->Material = inserted.first->second;
-}
-
-// One name with blanks in it, or several: the first is what most programs write and mean.
-void vtkMTObjParser::UseLibraries(std::string_view line)
-{
-  const std::size_t first = line.find_first_not_of(" \t");
-  const std::size_t last = line.find_last_not_of(" \t");
-  if (first != std::string_view::npos)
-  {
-    const std::string name(line.substr(first, last - first + 1));
-    if (std::find(this->Libraries.begin(), this->Libraries.end(), name) == this->Libraries.end())
+    const bool isKnown = std::find(this->Libraries.begin(), this->Libraries.end(), name) != this->Libraries.end();
+    if (!isKnown && !name.empty())
     {
       this->Libraries.push_back(name);
     }
   }
+  else
+  {
+    return false;
+  }
+  return true;
 }
 
-// A face may name what only comes later in the file, so this is known at the end.
-bool vtkMTObjParser::CheckIndices(std::string& error) const
+void vtkMTObjParser::CountIgnored(std::string_view keyword, std::string_view line)
 {
-  const auto check = [&error](std::uint64_t largest, std::uint64_t count, const char* kind)
+  static const char* const freeForms[] = { "curv", "curv2", "surf" };
+  static const char* const others[] = { "vp", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp",
+    "end", "con", "mg", "bevel", "c_interp", "d_interp", "lod", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",
+    "stech", "call", "csh", "res", "bsp", "bzp", "cdc", "cdp" };
+  if (keyword == "s")
   {
-    if (largest > count)
+    const std::string_view group = NextToken(line);
+    if (group != "off" && group != "0" && !group.empty())
     {
-      error =
-        std::string("a face uses ") + kind + " " + std::to_string(largest) + ", but there are " + std::to_string(count);
+      this->SmoothingGroups.emplace(group);
     }
-    return largest <= count;
-  };
-  return check(this->Largest.Point, this->Points, "vertex") &&
-    check(this->Largest.Texture, this->Textures, "texture coordinate") &&
-    check(this->Largest.Normal, this->Normals, "normal");
+  }
+  else if (std::find(std::begin(freeForms), std::end(freeForms), keyword) != std::end(freeForms))
+  {
+    this->Count("free_forms");
+  }
+  else if (std::find(std::begin(others), std::end(others), keyword) == std::end(others))
+  {
+    this->Count("unknown_records");
+  }
+}
+
+void vtkMTObjParser::CountAll(const std::array<std::uint64_t, 2>& missing, std::uint64_t badCells)
+{
+  const auto add = [this](const char* reason, std::uint64_t count)
+  { vtkMTInputReports::Add(reason, count, this->Report); };
+  add("bad_cells", badCells);
+  add("missing_texture_coordinates", this->MissingTextures + missing[0]);
+  add("missing_normals", this->MissingNormals + missing[1]);
+  const std::uint64_t withTexture = this->CornersWithTexture - missing[0];
+  const std::uint64_t withNormal = this->CornersWithNormal - missing[1];
+  add("filled_texture_coordinates", withTexture > 0 ? this->FaceCorners - withTexture : 0);
+  add("filled_normals", withNormal > 0 ? this->FaceCorners - withNormal : 0);
+  add("filled_colors", this->HasColors() ? this->Points - this->ColoredVertices : 0);
+  // Where the file has normals they say what is smooth.
+  add(
+    "ignored_smoothing_groups", withNormal > 0 || this->SmoothingGroups.size() < 2 ? 0 : this->SmoothingGroups.size());
 }
