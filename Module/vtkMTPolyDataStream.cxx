@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPolyDataStream.h"
 
+#include "Polygons/vtkMTPolygonTriangulation.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -9,7 +10,6 @@
 #include "vtkInformationStringKey.h"
 #include "vtkLookupTable.h"
 #include "vtkMTLookupTable.h"
-#include "vtkMTPolygonTriangulation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"

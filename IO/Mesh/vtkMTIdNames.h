@@ -18,21 +18,23 @@ namespace vtkMTIdNames
 {
 using Color = std::array<double, 3>;
 
-/// A table with the names of the ids 0, 1, 2 ... as annotations, and a colour for each; without colors such as differ.
+/// A table with the names of ids as annotations, and a colour for each; without colors such as differ. Without values
+/// the ids are 0, 1, 2 ...
 inline vtkSmartPointer<vtkLookupTable> MakeTable(
-  const std::vector<std::string>& names, const std::vector<Color>& colors = {})
+  const std::vector<std::string>& names, const std::vector<Color>& colors = {}, const std::vector<double>& values = {})
 {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   const vtkNew<vtkDoubleArray> ids;
   const vtkNew<vtkStringArray> labels;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    ids->InsertNextValue(static_cast<double>(i));
+    ids->InsertNextValue(values.empty() ? static_cast<double>(i) : values[i]);
     labels->InsertNextValue(names[i]);
   }
   table->IndexedLookupOn();
   table->SetNumberOfTableValues(static_cast<vtkIdType>(names.size()));
-  table->SetRange(0.0, static_cast<double>(names.size()) - 1.0);
+  const double* range = ids->GetRange();
+  table->SetRange(range[0], range[1]);
   table->Build();
   for (std::size_t i = 0; i < colors.size() && i < names.size(); ++i)
   {

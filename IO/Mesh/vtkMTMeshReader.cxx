@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshReader.h"
 
+#include "Obj/vtkMTObjReader.h"
 #include "vtkMTErrorCollector.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTInputReport.h"
 #include "vtkMTLegacyCheck.h"
-#include "vtkMTObjReader.h"
 #include "vtkMTPlyReader.h"
 #include "vtkMTStlReader.h"
 #include "vtkMTTextFormat.h"

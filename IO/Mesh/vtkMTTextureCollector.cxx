@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTTextureCollector.h"
 
+#include "Obj/vtkMTObjMaterials.h"
 #include "vtkMTFileBeside.h"
 #include "vtkMTFileByteSource.h"
-#include "vtkMTObjMaterials.h"
 #include "vtkMTTextFormat.h"
 
 #include "vtkFieldData.h"

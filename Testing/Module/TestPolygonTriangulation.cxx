@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons as triangles: areas that are right, or said to be wrong.
+// Polygons as triangles: areas that are right, or reported as wrong.
 #include "MTTestMeshes.h"
-#include "vtkMTPolygonTriangulation.h"
+#include "Polygons/vtkMTPolygonTriangulation.h"
 #include "vtkMTVector.h"
 
 #include "vtkIdList.h"
@@ -238,7 +238,7 @@ TEST(PolygonTriangulation, CornersOnStraightEdgesGetTrianglesWithAnArea)
   EXPECT_GT(triangle.Smallest, 0.0);
 }
 
-TEST(PolygonTriangulation, OutlinesThatCrossThemselvesAreSaidToDoSo)
+TEST(PolygonTriangulation, OutlinesThatCrossThemselvesAreReported)
 {
   Outline pentagram;
   for (int i = 0; i < 5; ++i)

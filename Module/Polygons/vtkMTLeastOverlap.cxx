@@ -6,7 +6,7 @@
 
 namespace
 {
-using Point = vtkMTOrientation::Point;
+using Point = vtkMTPlaneOrientation::Point;
 
 struct Cost
 {
@@ -87,7 +87,7 @@ private:
 
   Cost GetCost(std::size_t a, std::size_t b, std::size_t c) const
   {
-    const double area = 0.5 * vtkMTOrientation::Of(this->Points[a], this->Points[b], this->Points[c]);
+    const double area = 0.5 * vtkMTPlaneOrientation::Of(this->Points[a], this->Points[b], this->Points[c]);
     const double perimeter =
       this->Lengths[a * this->Size + b] + this->Lengths[b * this->Size + c] + this->Lengths[c * this->Size + a];
     const double shape = perimeter * perimeter / std::max({ area, this->SmallestArea, 1e-300 });

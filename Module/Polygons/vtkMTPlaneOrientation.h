@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // On which side of a line a point lies, without rounding errors. Not installed.
-#ifndef vtkMTOrientation_h
-#define vtkMTOrientation_h
+#ifndef vtkMTPlaneOrientation_h
+#define vtkMTPlaneOrientation_h
 
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
  * precision where the error bound of that is small enough, else summed up exactly (J. R. Shewchuk, Adaptive Precision
  * Floating-Point Arithmetic and Fast Robust Geometric Predicates, 1997). Products must not overflow or underflow.
  */
-class vtkMTOrientation
+class vtkMTPlaneOrientation
 {
 public:
   using Point = std::array<double, 2>;

@@ -3,7 +3,7 @@
 #ifndef vtkMTLeastOverlap_h
 #define vtkMTLeastOverlap_h
 
-#include "vtkMTOrientation.h"
+#include "vtkMTPlaneOrientation.h"
 
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ public:
   static constexpr std::size_t LargestCount = 128;
 
   /// corners: of the points, three at least, in order. Triangles are appended.
-  static void Split(const std::vector<vtkMTOrientation::Point>& points, const std::vector<std::uint32_t>& corners,
+  static void Split(const std::vector<vtkMTPlaneOrientation::Point>& points, const std::vector<std::uint32_t>& corners,
     std::vector<std::array<std::uint32_t, 3>>& triangles);
 };
 

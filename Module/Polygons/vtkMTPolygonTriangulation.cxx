@@ -122,8 +122,8 @@ void vtkMTPolygonTriangulation::Project()
   for (const Vector& place : places)
   {
     const Vector from = Subtract(place, places[0]);
-    this->Outline.Points.push_back(isPlane ? vtkMTOrientation::Point{ place[axes[0]], place[axes[1]] }
-                                           : vtkMTOrientation::Point{ Dot(from, right), Dot(from, up) });
+    this->Outline.Points.push_back(isPlane ? vtkMTPlaneOrientation::Point{ place[axes[0]], place[axes[1]] }
+                                           : vtkMTPlaneOrientation::Point{ Dot(from, right), Dot(from, up) });
   }
 }
 
@@ -150,12 +150,12 @@ bool vtkMTPolygonTriangulation::ClipEars()
 
 bool vtkMTPolygonTriangulation::IsCoveredOnce() const
 {
-  const std::vector<vtkMTOrientation::Point>& points = this->Outline.Points;
+  const std::vector<vtkMTPlaneOrientation::Point>& points = this->Outline.Points;
   double covered = 0.0;
   double turned = 0.0;
   for (const Triangle& triangle : this->Triangles)
   {
-    const double area = vtkMTOrientation::Of(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
+    const double area = vtkMTPlaneOrientation::Of(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
     (area < 0.0 ? turned : covered) += std::abs(area);
   }
   return turned <= LargestOverlap * covered;

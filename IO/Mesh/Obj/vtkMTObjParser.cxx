@@ -186,17 +186,18 @@ bool vtkMTObjParser::ReadLine(std::string_view line)
 }
 
 //------------------------------------------------------------------------------
-// Of so many that are numbers; more than MostNumbers when there are more.
+// The numbers before the first token that is none: how many there are, up to one more than MostNumbers.
 std::size_t vtkMTObjParser::ReadCoordinates(std::string_view line, double* values)
 {
   std::size_t count = 0;
   for (std::string_view token = NextToken(line); !token.empty() && !IsComment(token); token = NextToken(line))
   {
     double value = 0.0;
-    if (count == MostNumbers || !vtkMTTextFormat::ToNumber(token, value))
+    const bool isNumber = vtkMTTextFormat::ToNumber(token, value);
+    if (count == MostNumbers || !isNumber)
     {
-      this->Count("ignored_numbers");
-      return count;
+      vtkMTInputReports::Add("ignored_numbers", count < 3 ? 0 : 1, this->Report);
+      return count + (isNumber ? 1 : 0);
     }
     this->IsDouble = this->IsDouble || (count < 3 && NeedsDouble(token, value));
     values[count++] = value;
@@ -229,7 +230,8 @@ bool vtkMTObjParser::ReadVertex(std::string_view line)
 vtkMTObjParser::Color vtkMTObjParser::TakeColor(const double* values, std::size_t count)
 {
   Color color = { NoColor, NoColor, NoColor, NoColor };
-  if (count < 6 || !std::all_of(values + 3, values + count, [](double value) { return std::isfinite(value); }))
+  if (count < 6 || count > MostNumbers ||
+    !std::all_of(values + 3, values + count, [](double value) { return std::isfinite(value); }))
   {
     return color;
   }

@@ -9,7 +9,7 @@
 
 namespace
 {
-using Point = vtkMTOrientation::Point;
+using Point = vtkMTPlaneOrientation::Point;
 using Triangle = vtkMTEarClipping::Triangle;
 
 constexpr std::uint32_t LargestWithoutGrid = 48;
@@ -17,7 +17,7 @@ constexpr std::uint32_t LargestWithoutGrid = 48;
 // Whether the way from the corner `at` of a triangle to `to` leads between those to its other corners.
 bool LeadsBetween(const Point& at, const Point& right, const Point& left, const Point& to)
 {
-  return vtkMTOrientation::Of(at, right, to) > 0.0 && vtkMTOrientation::Of(at, left, to) < 0.0;
+  return vtkMTPlaneOrientation::Of(at, right, to) > 0.0 && vtkMTPlaneOrientation::Of(at, left, to) < 0.0;
 }
 
 // Below the x axis, or on it to the left.
@@ -91,7 +91,7 @@ void vtkMTEarClipping::MakeGrid()
 double vtkMTEarClipping::GetTurn(std::uint32_t corner) const
 {
   const std::vector<Point>& points = this->Outline->Points;
-  return vtkMTOrientation::Of(points[this->Previous[corner]], points[corner], points[this->Next[corner]]);
+  return vtkMTPlaneOrientation::Of(points[this->Previous[corner]], points[corner], points[this->Next[corner]]);
 }
 
 // A corner where the outline turns back on itself, or stays where it is.
@@ -250,8 +250,8 @@ bool vtkMTEarClipping::BlocksEar(std::uint32_t corner, std::uint32_t ear, Rule r
   const Point& b = points[ear];
   const Point& c = points[this->Next[ear]];
   const Point& p = points[corner];
-  const double sides[3] = { vtkMTOrientation::Of(a, b, p), vtkMTOrientation::Of(b, c, p),
-    vtkMTOrientation::Of(c, a, p) };
+  const double sides[3] = { vtkMTPlaneOrientation::Of(a, b, p), vtkMTPlaneOrientation::Of(b, c, p),
+    vtkMTPlaneOrientation::Of(c, a, p) };
   if (sides[0] < 0.0 || sides[1] < 0.0 || sides[2] < 0.0)
   {
     return false;
@@ -262,9 +262,9 @@ bool vtkMTEarClipping::BlocksEar(std::uint32_t corner, std::uint32_t ear, Rule r
     return p == a ? LeadsBetween(a, b, c, to)
       : p == b    ? LeadsBetween(b, c, a, to)
       : p == c    ? LeadsBetween(c, a, b, to)
-                  : (sides[0] > 0.0 || vtkMTOrientation::Of(a, b, to) > 0.0) &&
-        (sides[1] > 0.0 || vtkMTOrientation::Of(b, c, to) > 0.0) &&
-        (sides[2] > 0.0 || vtkMTOrientation::Of(c, a, to) > 0.0);
+                  : (sides[0] > 0.0 || vtkMTPlaneOrientation::Of(a, b, to) > 0.0) &&
+        (sides[1] > 0.0 || vtkMTPlaneOrientation::Of(b, c, to) > 0.0) &&
+        (sides[2] > 0.0 || vtkMTPlaneOrientation::Of(c, a, to) > 0.0);
   };
   const bool touches = rule == Rule::Clear && sides[2] == 0.0 && p != a && p != c;
   return touches || entersWith(this->Next[corner]) || entersWith(this->Previous[corner]);
@@ -281,8 +281,8 @@ bool vtkMTEarClipping::IsInside(const Point& point) const
     const Point& to = this->Outline->Points[this->Next[corner]];
     const bool isUp = from[1] <= point[1] && to[1] > point[1];
     const bool isDown = from[1] > point[1] && to[1] <= point[1];
-    winding += isUp && vtkMTOrientation::Of(from, to, point) > 0.0 ? 1 : 0;
-    winding -= isDown && vtkMTOrientation::Of(from, to, point) < 0.0 ? 1 : 0;
+    winding += isUp && vtkMTPlaneOrientation::Of(from, to, point) > 0.0 ? 1 : 0;
+    winding -= isDown && vtkMTPlaneOrientation::Of(from, to, point) < 0.0 ? 1 : 0;
   }
   return winding == 1;
 }

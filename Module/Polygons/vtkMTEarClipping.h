@@ -3,7 +3,7 @@
 #ifndef vtkMTEarClipping_h
 #define vtkMTEarClipping_h
 
-#include "vtkMTOrientation.h"
+#include "vtkMTPlaneOrientation.h"
 #include "vtkNew.h"
 #include "vtkPriorityQueue.h"
 
@@ -16,7 +16,7 @@ struct vtkMTOutline
 {
   std::vector<std::array<double, 3>> Places;
   std::array<double, 3> Normal;
-  std::vector<vtkMTOrientation::Point> Points;
+  std::vector<vtkMTPlaneOrientation::Point> Points;
 };
 
 /**
@@ -28,7 +28,7 @@ struct vtkMTOutline
  * triangle is an ear when no part of the outline enters its interior. No edge of the polygon crosses the two edges
  * of the corner, so what enters has a corner inside of the triangle, or one on its border from which an edge leads
  * into it. Where other corners lie at the place of the ear's tip, its triangle may be outside of the polygon all the
- * same, between the two ways of a bridge: the winding number decides. Signs are exact (vtkMTOrientation).
+ * same, between the two ways of a bridge: the winding number decides. Signs are exact (vtkMTPlaneOrientation).
  *
  * Order of the attempts: ears whose new edge touches no corner; ears whose new edge does; corners without an area. When
  * none is left the outline crosses itself.
@@ -41,7 +41,7 @@ public:
   /// Clips what can be clipped, triangles being appended. True when nothing is left.
   bool Clip(const vtkMTOutline& outline, std::vector<Triangle>& triangles);
 
-  /// Whether the outline turns round once, as those do that do not cross themselves. Spikes do not count.
+  /// Whether the outline makes one full turn, as those do that do not cross themselves. Spikes do not count.
   bool TurnsOnce() const { return this->Turns == 1; }
 
   ///@{
@@ -71,7 +71,7 @@ private:
   double GetTurn(std::uint32_t corner) const;
   bool IsEar(std::uint32_t corner, Rule rule) const;
   bool BlocksEar(std::uint32_t corner, std::uint32_t ear, Rule rule) const;
-  bool IsInside(const vtkMTOrientation::Point& point) const;
+  bool IsInside(const vtkMTPlaneOrientation::Point& point) const;
   template <typename Visit>
   bool AnyOfCornersNear(std::uint32_t ear, const Visit& visit) const;
 
