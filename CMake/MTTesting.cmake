@@ -15,6 +15,9 @@ add_custom_target(mt_unit_tests)
 set(MT_LAYERS_WITHOUT_WINDOW
   Module Sources Partition Simplification FiltersCore Certification Verification Construction IOCore IO IOMesh IOImage
   Building RenderingCore General)
+# Those of the layers that have threads, for ThreadSanitizer.
+add_custom_target(mt_thread_tests)
+set(MT_LAYERS_WITH_THREADS Partition Simplification FiltersCore Construction IO RenderingCore)
 
 # mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
 # One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under
@@ -52,6 +55,9 @@ function (mt_add_unit_test layer)
   endif ()
   if (layer IN_LIST MT_LAYERS_WITHOUT_WINDOW)
     add_dependencies(mt_unit_tests ${target})
+  endif ()
+  if (layer IN_LIST MT_LAYERS_WITH_THREADS)
+    add_dependencies(mt_thread_tests ${target})
   endif ()
   gtest_discover_tests(${target}
     DISCOVERY_MODE PRE_TEST

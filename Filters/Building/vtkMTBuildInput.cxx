@@ -8,6 +8,7 @@
 #include "vtkMTMeshMerge.h"
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshStream.h"
+#include "vtkMTPlacement.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTTerrain.h"
 #include "vtkMTTextureCollector.h"
@@ -29,7 +30,7 @@ struct vtkMTBuildInput::ReadPart
 
 namespace
 {
-// The finest level.
+// The finest level, at the place that the model's frame gives it.
 bool ReadModel(const std::string& path, vtkPolyData* mesh, std::string& error)
 {
   vtkMTFileSource source;
@@ -42,7 +43,19 @@ bool ReadModel(const std::string& path, vtkPolyData* mesh, std::string& error)
   {
     cut.RefineWithDependencies(node);
   }
-  return vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error);
+  if (!vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error))
+  {
+    return false;
+  }
+  vtkMTPlacement placement;
+  placement.Matrix = source.GetGraph().Frame.value_or(placement.Matrix);
+  if (!vtkMTPlacement::IsSound(placement.Matrix.data()))
+  {
+    error = path + ": its frame is no affine map that has an inverse";
+    return false;
+  }
+  placement.Apply(mesh);
+  return true;
 }
 }
 

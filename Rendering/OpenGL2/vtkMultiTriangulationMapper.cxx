@@ -28,7 +28,7 @@ namespace
 vtkMultiTriangulation* GetModel(vtkDataObject* input)
 {
   vtkMultiTriangulation* model = vtkMultiTriangulation::SafeDownCast(input);
-  return model && model->GetSource() && !model->GetSource()->GetGraph().IsEmpty() ? model : nullptr;
+  return model && model->GetSource() && !model->GetSource()->GetKnownGraph().IsEmpty() ? model : nullptr;
 }
 }
 
@@ -146,6 +146,14 @@ void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
 bool vtkMultiTriangulationMapper::HasPatches()
 {
   return GetModel(this->GetInput()) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkMultiTriangulationMapper::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 //------------------------------------------------------------------------------
@@ -382,8 +390,7 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
   const int representation = actor->GetProperty()->GetRepresentation();
   plan.Edges = representation == VTK_WIREFRAME;
   plan.PrimitivesPerTriangle = representation == VTK_SURFACE ? 1 : 3;
-  const std::vector<vtkMTArc>& arcs = this->Implementation->Graph().Arcs;
-  plan.ShortIndices = std::all_of(arcs.begin(), arcs.end(), [](const vtkMTArc& arc) { return arc.Wedges <= 65536; });
+  plan.ShortIndices = this->Implementation->Graph().GetFigures().LargestWedges <= 65536;
   this->PlanColors();
   this->PlanAttributes(actor);
   this->UpdateColorRevision();

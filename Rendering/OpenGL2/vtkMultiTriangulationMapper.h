@@ -299,6 +299,9 @@ public:
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   ///@}
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMultiTriangulationMapper();
   ~vtkMultiTriangulationMapper() override;

@@ -77,7 +77,7 @@ struct vtkMultiTriangulationMapper::Internals
     if (this->BoundsSource.lock() != source)
     {
       this->BoundsSource = source;
-      source->GetGraph().GetBounds(this->Bounds.data());
+      source->GetKnownGraph().GetBounds(this->Bounds.data());
     }
     return this->Bounds;
   }
