@@ -2,11 +2,15 @@
 #include "vtkMTLookupTable.h"
 
 #include "vtkLookupTable.h"
+#include "vtkNew.h"
 #include "vtkStdString.h"
+#include "vtkStringArray.h"
 #include "vtkVariant.h"
+#include "vtkVariantArray.h"
 
 #include <cstdint>
 #include <cstring>
+#include <map>
 
 namespace
 {
@@ -83,13 +87,23 @@ private:
   bool Sound = true;
 };
 
+// All at once: the table sorts its annotations whenever one is set. Of several for one value the last holds.
 void TakeAnnotations(Reader& reader, vtkLookupTable* table)
 {
+  std::map<vtkVariant, vtkIdType, vtkVariantLessThan> places;
+  const vtkNew<vtkVariantArray> values;
+  const vtkNew<vtkStringArray> labels;
   for (auto count = reader.Take<std::uint32_t>(); count > 0 && reader.IsSound(); --count)
   {
     const bool isText = reader.Take<std::uint8_t>() != 0;
     const vtkVariant value = isText ? vtkVariant(vtkStdString(reader.TakeText())) : vtkVariant(reader.Take<double>());
-    table->SetAnnotation(value, reader.TakeText());
+    const vtkIdType place = places.emplace(value, values->GetNumberOfValues()).first->second;
+    values->InsertValue(place, value);
+    labels->InsertValue(place, reader.TakeText());
+  }
+  if (!places.empty())
+  {
+    table->SetAnnotations(values, labels);
   }
 }
 }

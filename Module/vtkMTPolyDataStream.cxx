@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPolyDataStream.h"
 
+#include "Polygons/vtkMTPolygonTriangulation.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -13,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,49 +74,6 @@ std::string GetReasonToLeaveOut(vtkAbstractArray* array, vtkIdType tuples, std::
   }
   return array->GetNumberOfTuples() != tuples ? "arrays_of_wrong_length" : "";
 }
-
-//------------------------------------------------------------------------------
-double Dot(const double a[3], const double b[3])
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-//------------------------------------------------------------------------------
-void Cross(const double a[3], const double b[3], double c[3])
-{
-  c[0] = a[1] * b[2] - a[2] * b[1];
-  c[1] = a[2] * b[0] - a[0] * b[2];
-  c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-//------------------------------------------------------------------------------
-// For a convex quad: 0 or 1 for the diagonal from corner 0 or from corner 1, the shorter one; -1 when it is not convex.
-int ChooseDiagonal(const double p[4][3])
-{
-  double edges[4][3];
-  double diagonals[2][3];
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 4; ++j)
-    {
-      edges[j][i] = p[(j + 1) % 4][i] - p[j][i];
-    }
-    diagonals[0][i] = p[2][i] - p[0][i];
-    diagonals[1][i] = p[3][i] - p[1][i];
-  }
-  double normal[3];
-  Cross(diagonals[0], diagonals[1], normal);
-  for (int j = 0; j < 4; ++j)
-  {
-    double corner[3];
-    Cross(edges[(j + 3) % 4], edges[j], corner);
-    if (!(Dot(corner, normal) > 0.0))
-    {
-      return -1;
-    }
-  }
-  return Dot(diagonals[1], diagonals[1]) < Dot(diagonals[0], diagonals[0]) ? 1 : 0;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -136,8 +93,8 @@ struct vtkMTPolyDataStream::Internals
   std::size_t NextInCell = 0;
 
   vtkNew<vtkIdList> CellPoints;
-  vtkNew<vtkIdList> Ears;
-  vtkNew<vtkPolygon> Polygon;
+  std::vector<vtkMTPolygonTriangulation::Place> CellPlaces;
+  vtkMTPolygonTriangulation Polygon;
 
   vtkIdType GetNumberOfPolys() { return this->Input->GetPolys()->GetNumberOfCells(); }
   vtkIdType GetNumberOfStrips() { return this->Input->GetStrips()->GetNumberOfCells(); }
@@ -148,9 +105,8 @@ struct vtkMTPolyDataStream::Internals
   void LoadCell();
   void AddStrip();
   void AddPolygon();
-  bool AddQuad();
-  bool AddEars();
-  bool GetCellPlaces(std::vector<std::array<double, 3>>& places);
+  void AddFan(std::size_t first);
+  std::size_t GetCellPlaces();
   void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   {
     this->Cell.push_back(
@@ -248,25 +204,26 @@ void vtkMTPolyDataStream::Internals::CountCells()
 }
 
 //------------------------------------------------------------------------------
-// The places of the present cell's points; false when one does not exist or is not finite.
-bool vtkMTPolyDataStream::Internals::GetCellPlaces(std::vector<std::array<double, 3>>& places)
+// The places of the present cell's points; gives the first that does not exist or is not finite, or their number.
+std::size_t vtkMTPolyDataStream::Internals::GetCellPlaces()
 {
   const vtkIdType points = this->Input->GetNumberOfPoints();
-  places.resize(this->CellPoints->GetNumberOfIds());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  this->CellPlaces.resize(static_cast<std::size_t>(this->CellPoints->GetNumberOfIds()));
+  for (std::size_t i = 0; i < this->CellPlaces.size(); ++i)
   {
     const vtkIdType id = this->CellPoints->GetId(static_cast<vtkIdType>(i));
     if (id < 0 || id >= points)
     {
-      return false;
+      return i;
     }
-    this->Input->GetPoint(id, places[i].data());
-    if (!std::isfinite(places[i][0]) || !std::isfinite(places[i][1]) || !std::isfinite(places[i][2]))
+    auto& place = this->CellPlaces[i];
+    this->Input->GetPoint(id, place.data());
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
     {
-      return false;
+      return i;
     }
   }
-  return true;
+  return this->CellPlaces.size();
 }
 
 //------------------------------------------------------------------------------
@@ -281,56 +238,14 @@ void vtkMTPolyDataStream::Internals::AddStrip()
 }
 
 //------------------------------------------------------------------------------
-bool vtkMTPolyDataStream::Internals::AddQuad()
+void vtkMTPolyDataStream::Internals::AddFan(std::size_t first)
 {
-  std::vector<std::array<double, 3>> places;
-  if (this->CellPoints->GetNumberOfIds() != 4 || !this->GetCellPlaces(places))
-  {
-    return false;
-  }
-  double p[4][3];
-  for (int i = 0; i < 4; ++i)
-  {
-    std::copy(places[i].begin(), places[i].end(), p[i]);
-  }
-  const int first = ChooseDiagonal(p);
-  if (first < 0)
-  {
-    return false;
-  }
+  const std::size_t size = this->CellPlaces.size();
   const vtkIdType* ids = this->CellPoints->GetPointer(0);
-  this->AddTriangle(ids[first], ids[first + 1], ids[first + 2]);
-  this->AddTriangle(ids[first], ids[first + 2], ids[(first + 3) % 4]);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkMTPolyDataStream::Internals::AddEars()
-{
-  std::vector<std::array<double, 3>> places;
-  if (!this->GetCellPlaces(places))
+  for (std::size_t i = 1; i + 1 < size; ++i)
   {
-    return false;
+    this->AddTriangle(ids[first], ids[(first + i) % size], ids[(first + i + 1) % size]);
   }
-  const vtkIdType size = static_cast<vtkIdType>(places.size());
-  this->Polygon->PointIds->SetNumberOfIds(size);
-  this->Polygon->Points->SetDataTypeToDouble();
-  this->Polygon->Points->SetNumberOfPoints(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    this->Polygon->PointIds->SetId(i, i);
-    this->Polygon->Points->SetPoint(i, places[i].data());
-  }
-  if (!this->Polygon->Triangulate(this->Ears) || this->Ears->GetNumberOfIds() != 3 * (size - 2))
-  {
-    return false;
-  }
-  const vtkIdType* ids = this->CellPoints->GetPointer(0);
-  for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
-  {
-    this->AddTriangle(ids[this->Ears->GetId(i)], ids[this->Ears->GetId(i + 1)], ids[this->Ears->GetId(i + 2)]);
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -342,12 +257,23 @@ void vtkMTPolyDataStream::Internals::AddPolygon()
   {
     this->AddTriangle(ids[0], ids[1], ids[2]);
   }
-  else if (size > 3 && !this->AddQuad() && !this->AddEars())
+  if (size <= 3)
   {
-    for (vtkIdType i = 1; i + 1 < size; ++i)
-    {
-      this->AddTriangle(ids[0], ids[i], ids[i + 1]);
-    }
+    return;
+  }
+  const std::size_t bad = this->GetCellPlaces();
+  if (bad < this->CellPlaces.size())
+  {
+    this->AddFan(bad); // all of its triangles have that point and are dropped for it
+    return;
+  }
+  if (!this->Polygon.Triangulate(this->CellPlaces))
+  {
+    ++this->Report[GetCrossedPolygonsName()];
+  }
+  for (const vtkMTPolygonTriangulation::Triangle& t : this->Polygon.GetTriangles())
+  {
+    this->AddTriangle(ids[t[0]], ids[t[1]], ids[t[2]]);
   }
 }
 
@@ -415,6 +341,7 @@ bool vtkMTPolyDataStream::Rewind()
   this->Implementation->NextCell = -1;
   this->Implementation->NextInCell = 0;
   this->Implementation->Cell.clear();
+  this->Implementation->Report.erase(GetCrossedPolygonsName());
   return true;
 }
 

@@ -39,7 +39,8 @@ public:
   virtual const std::vector<vtkMTArrayInfo>& GetArrays() const = 0;
   virtual std::uint64_t GetNumberOfPoints() const = 0;
   virtual std::uint64_t GetNumberOfTriangles() const = 0;
-  /// What the stream itself left out, by reason, such as "lines" or "arrays_of_strings".
+  /// What the stream itself left out, by reason, such as "lines" or "arrays_of_strings". Complete when all triangles
+  /// have been read once: polygons that cross themselves are only found then.
   virtual const std::map<std::string, std::int64_t>& GetReport() const = 0;
 
   /// Start again, at the first point and at the first triangle.

@@ -10,15 +10,22 @@ vtkMTSelectedInput::vtkMTSelectedInput(std::unique_ptr<vtkMTTriangleStream> inpu
   : Input(std::move(input))
   , Files(files)
   , Arrays(this->Input->GetArrays())
-  , Report(this->Input->GetReport())
+  , Report(counts)
 {
-  for (const auto& [name, count] : counts)
-  {
-    this->Report[name] += count;
-  }
+  this->AddUpReport();
 }
 
 vtkMTSelectedInput::~vtkMTSelectedInput() = default;
+
+// The input's report grows while it is read.
+void vtkMTSelectedInput::AddUpReport()
+{
+  for (const auto& [name, count] : this->Input->GetReport())
+  {
+    this->Report[name] += count - this->Added[name];
+    this->Added[name] = count;
+  }
+}
 
 std::string vtkMTSelectedInput::KeepArrays(const std::vector<std::string>& names)
 {
@@ -74,6 +81,10 @@ bool vtkMTSelectedInput::NextTriangles(TriangleBlock& block)
 {
   const bool good = this->Pass(this->Input->NextTriangles(block));
   Drop(this->DroppedCellColumns, block.Columns);
+  if (good && block.Triangles.empty())
+  {
+    this->AddUpReport(); // now it is complete
+  }
   const std::string changed = good && !block.Triangles.empty() ? "" : this->Files.FindChanged();
   if (!changed.empty())
   {

@@ -37,6 +37,7 @@ public:
 
 private:
   bool Pass(bool good);
+  void AddUpReport();
 
   std::unique_ptr<vtkMTTriangleStream> Input;
   const vtkMTInputFiles Files;
@@ -44,6 +45,7 @@ private:
   std::vector<std::size_t> DroppedPointColumns; // from the last to the first
   std::vector<std::size_t> DroppedCellColumns;
   std::map<std::string, std::int64_t> Report;
+  std::map<std::string, std::int64_t> Added; // of it, the input's own
 };
 
 #endif

@@ -107,6 +107,7 @@ bool vtkMTChunkStream::Rewind()
   this->Stream.reset();
   this->PointsRead = 0;
   this->CellsRead = 0;
+  this->Report.erase(vtkMTPolyDataStream::GetCrossedPolygonsName());
   if (this->Places)
   {
     this->Places->Rewind();
@@ -248,6 +249,16 @@ bool vtkMTChunkStream::TakeTriangles(TriangleBlock& block)
   return true;
 }
 
+void vtkMTChunkStream::CountCrossedPolygons()
+{
+  const char* name = vtkMTPolyDataStream::GetCrossedPolygonsName();
+  const auto counted = this->Stream->GetReport().find(name);
+  if (counted != this->Stream->GetReport().end())
+  {
+    this->Report[name] += counted->second;
+  }
+}
+
 bool vtkMTChunkStream::ReadChunk()
 {
   const std::uint64_t count = std::min(ChunkSize, this->Cells - this->CellsRead);
@@ -282,6 +293,7 @@ bool vtkMTChunkStream::NextTriangles(TriangleBlock& block)
       {
         return good;
       }
+      this->CountCrossedPolygons();
       this->Stream.reset();
     }
     if (this->CellsRead == this->Cells)

@@ -72,6 +72,7 @@ private:
   bool AreCellsPlain();
   void TakePlainCells(TriangleBlock& block);
   bool TakeTriangles(TriangleBlock& block);
+  void CountCrossedPolygons();
   bool ReadChunk();
   bool AddPlaces();
   bool HasArraysOf(vtkMTArrayInfo::AssociationType association) const;

@@ -4,28 +4,49 @@
 #define vtkMTIdNames_h
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
-#include "vtkVariant.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace vtkMTIdNames
 {
-/// Names of the ids 0, 1, 2 ..., as annotations of the array's lookup table, which has a colour for each.
-inline void Set(vtkDataArray* ids, const std::vector<std::string>& names)
+using Color = std::array<double, 3>;
+
+/// A table with the names of ids as annotations, and a colour for each; without colors such as differ. Without values
+/// the ids are 0, 1, 2 ...
+inline vtkSmartPointer<vtkLookupTable> MakeTable(
+  const std::vector<std::string>& names, const std::vector<Color>& colors = {}, const std::vector<double>& values = {})
 {
-  const vtkNew<vtkLookupTable> table;
-  table->IndexedLookupOn();
-  table->SetNumberOfTableValues(static_cast<vtkIdType>(names.size()));
-  table->SetRange(0.0, static_cast<double>(names.size()) - 1.0);
-  table->Build();
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  const vtkNew<vtkDoubleArray> ids;
+  const vtkNew<vtkStringArray> labels;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    table->SetAnnotation(vtkVariant(static_cast<double>(i)), names[i]);
+    ids->InsertNextValue(values.empty() ? static_cast<double>(i) : values[i]);
+    labels->InsertNextValue(names[i]);
   }
-  ids->SetLookupTable(table);
+  table->IndexedLookupOn();
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(names.size()));
+  const double* range = ids->GetRange();
+  table->SetRange(range[0], range[1]);
+  table->Build();
+  for (std::size_t i = 0; i < colors.size() && i < names.size(); ++i)
+  {
+    table->SetTableValue(static_cast<vtkIdType>(i), colors[i][0], colors[i][1], colors[i][2]);
+  }
+  table->SetAnnotations(ids, labels); // all at once: one by one the time is quadratic
+  return table;
+}
+
+inline void Set(vtkDataArray* ids, const std::vector<std::string>& names, const std::vector<Color>& colors = {})
+{
+  ids->SetLookupTable(MakeTable(names, colors));
 }
 }
 

@@ -66,6 +66,15 @@ vtkMTMergedStream::vtkMTMergedStream(std::vector<std::unique_ptr<vtkMTChunkStrea
   {
     this->Points += part->GetNumberOfPoints();
     this->Triangles += part->GetNumberOfTriangles();
+  }
+  this->AddUpReports();
+}
+
+void vtkMTMergedStream::AddUpReports()
+{
+  this->Report.clear();
+  for (const auto& part : this->Parts)
+  {
     for (const auto& [reason, count] : part->GetReport())
     {
       this->Report[reason] += count;
@@ -90,6 +99,7 @@ bool vtkMTMergedStream::Rewind()
       return this->Fail(part);
     }
   }
+  this->AddUpReports();
   return true;
 }
 
@@ -138,6 +148,10 @@ bool vtkMTMergedStream::NextTriangles(TriangleBlock& block)
   if (!block.Triangles.empty())
   {
     block.Columns.push_back(MakePartIds(this->TrianglePart, block.Triangles.size()));
+  }
+  else
+  {
+    this->AddUpReports();
   }
   return true;
 }

@@ -29,6 +29,7 @@ public:
 private:
   explicit vtkMTMergedStream(std::vector<std::unique_ptr<vtkMTChunkStream>> parts);
   bool Fail(std::size_t part);
+  void AddUpReports();
 
   std::vector<std::unique_ptr<vtkMTChunkStream>> Parts;
   std::vector<vtkMTArrayInfo> Arrays;

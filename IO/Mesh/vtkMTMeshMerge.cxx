@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshMerge.h"
 
+#include "vtkMTIdNames.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -18,6 +20,7 @@
 #include <array>
 #include <exception>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace
@@ -193,16 +196,61 @@ vtkSmartPointer<vtkFloatArray> MakeNormals(vtkPolyData* mesh)
 void FillMissing(vtkDataArray* array, vtkIdType first, vtkIdType count)
 {
   const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-  const std::vector<double> tuple(
-    static_cast<std::size_t>(array->GetNumberOfComponents()), isReal ? std::numeric_limits<double>::quiet_NaN() : 0.0);
+  const bool hasNames = array->GetLookupTable() && array->GetLookupTable()->GetNumberOfAnnotatedValues() > 0;
+  const double whole = hasNames && array->GetDataTypeMin() < 0.0 ? -1.0 : 0.0; // which is no id
+  const std::vector<double> tuple(static_cast<std::size_t>(array->GetNumberOfComponents()),
+    isReal ? std::numeric_limits<double>::quiet_NaN() : whole);
   for (vtkIdType i = first; i < first + count; ++i)
   {
     array->SetTuple(i, tuple.data());
   }
 }
 
-void DescribeArray(vtkDataArray* array, const United& united)
+// The names of ids in several tables; null where some table has none. differing: ids with several names.
+vtkSmartPointer<vtkLookupTable> UniteNames(const std::vector<vtkDataArray*>& sources, std::int64_t& differing)
 {
+  struct Id
+  {
+    std::string Name;
+    vtkMTIdNames::Color Color;
+  };
+  std::map<double, Id> ids;
+  for (vtkDataArray* source : sources)
+  {
+    vtkLookupTable* table = source ? source->GetLookupTable() : nullptr;
+    if (source && (!table || !table->GetIndexedLookup() || table->GetNumberOfAnnotatedValues() == 0))
+    {
+      return nullptr;
+    }
+    for (vtkIdType i = 0; table && i < table->GetNumberOfAnnotatedValues(); ++i)
+    {
+      double color[4];
+      table->GetAnnotationColor(table->GetAnnotatedValue(i), color);
+      const std::string name = table->GetAnnotation(i);
+      const auto [id, isNew] =
+        ids.emplace(table->GetAnnotatedValue(i).ToDouble(), Id{ name, { color[0], color[1], color[2] } });
+      if (!isNew && (" | " + id->second.Name + " | ").find(" | " + name + " | ") == std::string::npos)
+      {
+        id->second.Name += " | " + name;
+      }
+    }
+  }
+  std::vector<double> values;
+  std::vector<std::string> names;
+  std::vector<vtkMTIdNames::Color> colors;
+  for (const auto& [value, id] : ids)
+  {
+    values.push_back(value);
+    names.push_back(id.Name);
+    colors.push_back(id.Color);
+    differing += id.Name.find(" | ") != std::string::npos ? 1 : 0;
+  }
+  return ids.empty() ? nullptr : vtkMTIdNames::MakeTable(names, colors, values);
+}
+
+void DescribeArray(vtkDataArray* array, const United& united, Report& report)
+{
+  array->SetLookupTable(UniteNames(united.Sources, report["united_names_differ"]));
   array->SetName(united.Name.empty() ? nullptr : united.Name.c_str());
   for (vtkDataArray* source : united.Sources)
   {
@@ -224,12 +272,13 @@ void DescribeArray(vtkDataArray* array, const United& united)
   }
 }
 
-void AddUnited(const United& united, const std::vector<Range>& ranges, vtkIdType tuples, vtkDataSetAttributes* output)
+void AddUnited(const United& united, const std::vector<Range>& ranges, vtkIdType tuples, vtkDataSetAttributes* output,
+  Report& report)
 {
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(united.Type));
   array->SetNumberOfComponents(united.Components);
   array->SetNumberOfTuples(tuples);
-  DescribeArray(array, united);
+  DescribeArray(array, united, report);
   vtkIdType next = 0;
   for (const Range& range : ranges)
   {
@@ -274,7 +323,7 @@ void MergePoints(const Parts& parts, vtkPolyData* output, Report& report)
     places.Sources.push_back(part->GetPoints() ? part->GetPoints()->GetData() : nullptr);
   }
   vtkNew<vtkPointData> holder;
-  AddUnited(places, ranges, total, holder);
+  AddUnited(places, ranges, total, holder, report);
   vtkNew<vtkPoints> points;
   points->SetDataType(places.Type);
   points->SetData(holder->GetArray(0));
@@ -292,7 +341,7 @@ void MergePoints(const Parts& parts, vtkPolyData* output, Report& report)
         report["made_part_normals"] += parts[part]->GetNumberOfPoints();
       }
     }
-    AddUnited(united, ranges, total, output->GetPointData());
+    AddUnited(united, ranges, total, output->GetPointData(), report);
   }
 }
 
@@ -352,7 +401,7 @@ void MergeAll(const Parts& parts, vtkPolyData* output, Report& report)
   }
   for (const United& united : arrays.Finish())
   {
-    AddUnited(united, ranges, output->GetNumberOfCells(), output->GetCellData());
+    AddUnited(united, ranges, output->GetNumberOfCells(), output->GetCellData(), report);
   }
   AddPartIds(ranges, output);
 }

@@ -9,14 +9,17 @@
  * earlier "PartId" of a mesh is kept as "InputPartId".
  *
  * Arrays are united: those of one name, type and number of components become one array. Where a mesh lacks it, its
- * values are NaN for real numbers and 0 for whole ones; point normals, which would be of no use that way, are made for
- * the meshes that lack them (area-weighted mean of the cells' normals). Normals and texture coordinates in single and
- * in double precision are united in double precision. Any other array whose name is taken by one of another type gets
- * "_2", "_3" ... after its name.
+ * values are NaN for real numbers and 0 for whole ones, or -1 where these are ids that have names; point normals, which
+ * would be of no use that way, are made for the meshes that lack them (area-weighted mean of the cells' normals).
+ * Normals and texture coordinates in single and in double precision are united in double precision. Any other array
+ * whose name is taken by one of another type gets "_2", "_3" ... after its name.
+ *
+ * Ids keep their values, whose names (annotations of the lookup tables) are united; an id that has several names in the
+ * meshes gets all of them, with " | " between.
  *
  * The report counts: "united_arrays_filled" (arrays that some mesh lacks), "renamed_arrays", "made_part_normals"
- * (points), and the arrays that are left out because they hold no numbers ("arrays_of_strings") or not one tuple for
- * each point or cell ("arrays_of_wrong_length"). Field data are left out.
+ * (points), "united_names_differ" (ids), and the arrays that are left out because they hold no numbers
+ * ("arrays_of_strings") or not one tuple for each point or cell ("arrays_of_wrong_length"). Field data are left out.
  */
 #ifndef vtkMTMeshMerge_h
 #define vtkMTMeshMerge_h

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshReader.h"
 
+#include "Obj/vtkMTObjReader.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTGltfReader.h"
 #include "vtkMTGzipByteSource.h"
 #include "vtkMTInputReport.h"
 #include "vtkMTMeshFormat.h"
-#include "vtkMTObjReader.h"
 #include "vtkMTOffReader.h"
 #include "vtkMTPlyReader.h"
 #include "vtkMTStlReader.h"
@@ -130,7 +130,7 @@ bool ReadBytes(
     case vtkMTMeshFormat::Stl:
       return vtkMTStlReader::Read(bytes, output, error, &report);
     case vtkMTMeshFormat::Obj:
-      return vtkMTObjReader::Read(bytes, output, error);
+      return vtkMTObjReader::Read(bytes, output, error, &report);
     case vtkMTMeshFormat::Off:
       return vtkMTOffReader::Read(bytes, output, error, &report);
     case vtkMTMeshFormat::Glb:

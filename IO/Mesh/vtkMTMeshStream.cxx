@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMeshStream.h"
 
+#include "Obj/vtkMTObjStream.h"
 #include "vtkMTMergedStream.h"
 #include "vtkMTMeshFormat.h"
-#include "vtkMTObjStream.h"
 #include "vtkMTPlyStream.h"
 #include "vtkMTStlStream.h"
 #include "vtkMTVtpStream.h"

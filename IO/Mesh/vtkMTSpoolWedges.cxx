@@ -58,7 +58,7 @@ bool vtkMTSpoolWedges::PutPoint(const std::vector<CornerOfPoint>& corners, std::
   return std::all_of(copies.begin(), copies.end(), [&](const Copy& copy) { return Add(*this->Copied, &copy, error); });
 }
 
-bool vtkMTSpoolWedges::Finish(std::uint64_t points, const Key& noKey, std::string& error)
+bool vtkMTSpoolWedges::Finish(std::uint64_t points, const Key& limits, Key& missing, std::string& error)
 {
   if (!this->ByPoint->Finish())
   {
@@ -74,16 +74,40 @@ bool vtkMTSpoolWedges::Finish(std::uint64_t points, const Key& noKey, std::strin
     {
       corners.emplace_back();
       std::memcpy(&corners.back(), record, sizeof(CornerOfPoint));
+      for (std::size_t i = 0; i < limits.size(); ++i)
+      {
+        std::uint64_t& part = corners.back().Keys[i];
+        missing[i] += part >= limits[i] && part != None ? 1 : 0;
+        part = part >= limits[i] ? None : part;
+      }
     }
-    const Key& key = corners.empty() ? noKey : corners.front().Keys;
+    const Key key = corners.empty() ? Key{ None, None } : corners.front().Keys;
     if (this->ByPoint->HasFailed() || !this->Keys.Put(&key, sizeof(key), error) || !this->PutPoint(corners, error))
     {
       error = this->ByPoint->HasFailed() ? this->ByPoint->GetError() : error;
       return false;
     }
   }
+  const bool good = this->PutCornersOfNone(record, error);
   this->ByPoint.reset();
-  return this->NumberCopies(points, error);
+  return good && this->NumberCopies(points, error);
+}
+
+// From this record on: corners at points that do not exist.
+bool vtkMTSpoolWedges::PutCornersOfNone(const unsigned char* record, std::string& error)
+{
+  for (; record; record = this->ByPoint->Next())
+  {
+    CornerOfPoint corner;
+    std::memcpy(&corner, record, sizeof(corner));
+    const Pair lost = { corner.Number, None };
+    if (!Add(*this->ByCorner, lost, error))
+    {
+      return false;
+    }
+  }
+  error = this->ByPoint->HasFailed() ? this->ByPoint->GetError() : error;
+  return !this->ByPoint->HasFailed();
 }
 
 bool vtkMTSpoolWedges::NumberCopies(std::uint64_t points, std::string& error)

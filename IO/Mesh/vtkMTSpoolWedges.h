@@ -20,20 +20,22 @@ class vtkMTSpoolWedges
 {
 public:
   using Key = vtkMTWedgeSplitter::Key;
+  static constexpr std::uint64_t None = ~std::uint64_t(0);
 
   /// memory: bytes, for the sorts.
   vtkMTSpoolWedges(vtkMTSpoolStore& store, std::size_t memory);
 
   ///@{
-  /// All corners in order, then Finish. noKey: of points without a corner. False with a message in error.
+  /// All corners in order, then Finish. limits: parts of keys that are not below are taken for None, and counted in
+  /// missing. Points without a corner have the key None, None. False with a message in error.
   bool AddCorner(std::uint64_t point, const Key& key, std::string& error);
-  bool Finish(std::uint64_t points, const Key& noKey, std::string& error);
+  bool Finish(std::uint64_t points, const Key& limits, Key& missing, std::string& error);
   ///@}
 
   std::uint64_t GetNumberOfCopies() const { return this->Copies; }
   vtkMTSpoolQueue Keys;      ///< of every point, copies behind the others
   vtkMTSpoolQueue Originals; ///< 64 bits for each copy: of which point it is one
-  vtkMTSpoolQueue Corners;   ///< 64 bits for each corner: its point
+  vtkMTSpoolQueue Corners;   ///< 64 bits for each corner: its point, or None where there is no such point
 
 private:
   struct CornerOfPoint
@@ -51,6 +53,7 @@ private:
   using Pair = std::uint64_t[2]; // sorted by the first
 
   bool PutPoint(const std::vector<CornerOfPoint>& corners, std::string& error);
+  bool PutCornersOfNone(const unsigned char* record, std::string& error);
   bool NumberCopies(std::uint64_t points, std::string& error);
   static bool Add(vtkMTRecordSort& sort, const void* record, std::string& error);
 

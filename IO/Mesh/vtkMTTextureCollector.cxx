@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTTextureCollector.h"
 
+#include "Obj/vtkMTObjMaterials.h"
+#include "vtkMTFileBeside.h"
 #include "vtkMTFileByteSource.h"
 #include "vtkMTGltfTextures.h"
 #include "vtkMTTextFormat.h"
@@ -12,29 +14,11 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <filesystem>
-#include <map>
 
 namespace
 {
 using Bytes = std::vector<unsigned char>;
-using vtkMTTextFormat::NextToken;
-
-//------------------------------------------------------------------------------
-// Files beside the mesh
-
-// Where a file that the mesh names may be: never outside of the mesh's folder.
-std::string FindBeside(const std::string& mesh, std::string name)
-{
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path folder = std::filesystem::path(mesh).parent_path();
-  const std::filesystem::path wanted(name);
-  const bool leadsAway = wanted.is_absolute() || name.find(':') != std::string::npos ||
-    std::find(wanted.begin(), wanted.end(), "..") != wanted.end();
-  std::error_code code;
-  return !leadsAway && std::filesystem::is_regular_file(folder / wanted, code) ? (folder / wanted).string()
-                                                                               : (folder / wanted.filename()).string();
-}
+using vtkMTFileBeside::FindBeside;
 
 bool ReadFile(const std::string& path, Bytes& bytes, std::string& error)
 {
@@ -83,63 +67,6 @@ std::vector<std::string> GetStrings(vtkPolyData* mesh, const char* name)
   }
   return strings;
 }
-
-//------------------------------------------------------------------------------
-// Material libraries of OBJ
-
-bool IsNumber(std::string_view token)
-{
-  double value = 0.0;
-  return vtkMTTextFormat::ToNumber(token, value);
-}
-
-// What follows the options: -s 1 1 1 -clamp on "name with blanks.png".
-std::string SkipOptions(std::string_view line)
-{
-  std::string_view rest = line;
-  for (std::string_view token = NextToken(rest); !token.empty() && token[0] == '-'; token = NextToken(rest))
-  {
-    std::string_view after = rest;
-    const bool takesNumbers = token == "-o" || token == "-s" || token == "-t" || token == "-mm";
-    NextToken(after);
-    rest = after;
-    for (int i = 0; takesNumbers && i < 2; ++i)
-    {
-      std::string_view next = after;
-      if (!IsNumber(NextToken(next)))
-      {
-        break;
-      }
-      rest = after = next;
-    }
-    line = rest;
-  }
-  const std::size_t first = line.find_first_not_of(" \t");
-  const std::size_t last = line.find_last_not_of(" \t\r");
-  return first == std::string_view::npos ? "" : std::string(line.substr(first, last - first + 1));
-}
-
-// The image of each material.
-std::map<std::string, std::string> ReadLibrary(const vtkMTByteSource& source)
-{
-  std::map<std::string, std::string> images;
-  vtkMTTextFormat::Stream stream(source);
-  std::string material;
-  for (std::string_view line; stream.TakeLine(line);)
-  {
-    const std::string keyword = vtkMTTextFormat::ToLower(NextToken(line));
-    if (keyword == "newmtl")
-    {
-      material = std::string(NextToken(line));
-    }
-    else if (keyword == "map_kd")
-    {
-      images.emplace(material, SkipOptions(line));
-    }
-  }
-  return images;
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -161,35 +88,27 @@ void vtkMTTextureCollector::Add(vtkMTTexture&& texture)
 void vtkMTTextureCollector::CollectObj(const std::string& path, vtkPolyData* mesh, int part)
 {
   const std::vector<std::string> materials = GetStrings(mesh, "MaterialNames");
-  for (const std::string& library : GetStrings(mesh, "MaterialLibraries"))
+  const auto found = vtkMTObjMaterials::Read(path, GetStrings(mesh, "MaterialLibraries"), this->Problems);
+  for (const auto& [name, material] : found)
   {
-    std::string error;
-    const auto source = vtkMTFileByteSource::Open(FindBeside(path, library), error);
-    if (!source)
+    const auto used = std::find(materials.begin(), materials.end(), name);
+    if (used == materials.end() || material.Image.empty())
     {
-      this->Problems.push_back("material library " + library + ": " + error);
       continue;
     }
-    for (const auto& [material, image] : ReadLibrary(*source))
+    vtkMTTexture texture;
+    texture.Name = material.Image;
+    texture.Material = static_cast<int>(used - materials.begin());
+    texture.MaterialName = name;
+    texture.Part = part;
+    std::string error;
+    if (ReadFile(FindBeside(path, texture.Name), texture.Bytes, error))
     {
-      const auto used = std::find(materials.begin(), materials.end(), material);
-      vtkMTTexture texture;
-      texture.Name = image;
-      texture.Material = static_cast<int>(used - materials.begin());
-      texture.MaterialName = material;
-      texture.Part = part;
-      if (used == materials.end())
-      {
-        continue;
-      }
-      if (ReadFile(FindBeside(path, image), texture.Bytes, error))
-      {
-        this->Add(std::move(texture));
-      }
-      else
-      {
-        this->Problems.push_back("texture " + image + ": " + error);
-      }
+      this->Add(std::move(texture));
+    }
+    else
+    {
+      this->Problems.push_back("texture " + texture.Name + ": " + error);
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Obj/vtkMTObjReader.h"
 #include "vtkMTMemoryByteSource.h"
-#include "vtkMTObjReader.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

@@ -2,6 +2,7 @@
 // Several meshes become one, and nothing of them is lost.
 #include "MTTestMeshes.h"
 
+#include "vtkMTIdNames.h"
 #include "vtkMTMeshMerge.h"
 
 #include "vtkCellArray.h"
@@ -9,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -123,4 +125,38 @@ TEST(MeshMerge, NormalsAreMadeWhereAMeshHasNone)
     united->GetTuple(a->GetNumberOfPoints() + p, normal);
     EXPECT_GT(place[0] * normal[0] + place[1] * normal[1] + place[2] * normal[2], 0.99) << "outwards";
   }
+}
+
+TEST(MeshMerge, NamesOfIdsAreUnitedAndIdsThatDifferHaveAllTheirNames)
+{
+  const std::vector<std::vector<std::string>> names = { { "steel", "brass" }, { "oak", "brass", "steel" }, {} };
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (const std::vector<std::string>& ofPart : names)
+  {
+    parts.push_back(MTTestMeshes::Icosphere(0));
+    if (!ofPart.empty())
+    {
+      vtkNew<vtkIntArray> ids;
+      ids->SetName("MaterialIds");
+      ids->SetNumberOfValues(parts.back()->GetNumberOfCells());
+      ids->FillValue(0);
+      vtkMTIdNames::Set(ids, ofPart, { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } });
+      parts.back()->GetCellData()->AddArray(ids);
+    }
+  }
+  vtkNew<vtkPolyData> merged;
+  std::map<std::string, std::int64_t> report;
+  std::string error;
+  ASSERT_TRUE(vtkMTMeshMerge::Merge(parts, merged, report, error)) << error;
+  EXPECT_EQ(
+    report, (std::map<std::string, std::int64_t>{ { "united_arrays_filled", 1 }, { "united_names_differ", 1 } }));
+  vtkDataArray* ids = merged->GetCellData()->GetArray("MaterialIds");
+  ASSERT_NE(ids, nullptr);
+  EXPECT_EQ(ids->GetTuple1(ids->GetNumberOfTuples() - 1), -1.0) << "a part without is of none";
+  vtkLookupTable* table = ids->GetLookupTable();
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->GetNumberOfAnnotatedValues(), 3);
+  EXPECT_EQ(std::string(table->GetAnnotation(0)), "steel | oak");
+  EXPECT_EQ(std::string(table->GetAnnotation(1)), "brass");
+  EXPECT_EQ(std::string(table->GetAnnotation(2)), "steel");
 }

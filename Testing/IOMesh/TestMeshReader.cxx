@@ -3,10 +3,10 @@
 #include "MTIOTest.h"
 #include "MTTestMeshes.h"
 
+#include "Obj/vtkMTObjReader.h"
 #include "vtkMTMemoryByteSource.h"
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshWriter.h"
-#include "vtkMTObjReader.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTStlReader.h"
 
@@ -324,26 +324,6 @@ TEST(MeshReader, ObjPrecisionFollowsTheText)
   EXPECT_EQ(mesh->GetPoint(0)[0], 500123.456);
   ASSERT_EQ(Read(folder / "single.obj", mesh), "");
   EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE); // 1.00000001
-}
-
-TEST(MeshReader, BadObjIsRefusedWithItsLine)
-{
-  Folder folder;
-  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
-  const std::vector<std::pair<std::string, std::string>> cases = { { points + "f 1 2 4\n", "vertex 4" },
-    { points + "f 1 2 -4\n", "line 6" }, { points + "f 1 2 0\n", "line 6" },
-    { points + "f 1/2 2/1 3/1\n", "texture coordinate 2" }, { points + "f 1//2 2//1 3//1\n", "normal 2" },
-    { points + "f 1 2\n", "line 6" }, { points + "f 1 2 a\n", "line 6" }, { points + "f 1/1/1/1 2 3\n", "line 6" },
-    { points + "f 1// 2//\n", "line 6" }, { "v 0 0\n", "line 1" }, { "v 0 0 x\n", "line 1" },
-    { "v 0 0 0 0 0 0 0 0\n", "line 1" }, { points + "vn 1 2\n", "line 6" },
-    { points + "f 1 2 99999999999999999999\n", "line 6" }, { points, "no triangles" },
-    { std::string(1000, 'x'), "no triangles" } };
-  for (const auto& test : cases)
-  {
-    WriteFile(folder / "bad.obj", test.first);
-    const std::string error = ErrorOf(folder / "bad.obj");
-    EXPECT_NE(error.find(test.second), std::string::npos) << test.first << error;
-  }
 }
 
 TEST(MeshReader, ChangedObjAndStlAreSurvived)

@@ -346,3 +346,38 @@ TEST(PolyDataStream, EmptyPolyDataIsAnEmptyStream)
   EXPECT_EQ(all.Blocks, 0u);
   EXPECT_TRUE(stream.GetArrays().empty());
 }
+
+TEST(PolyDataStream, PolygonsThatCrossThemselvesAreCountedWhenTheyAreRead)
+{
+  const auto mesh = MTTestMeshes::Make({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, {});
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 3 });
+  polys->InsertNextCell({ 0, 2, 1, 3 });
+  polys->InsertNextCell({ 0, 1, 2, 3 });
+  mesh->SetPolys(polys);
+  vtkMTPolyDataStream stream(mesh);
+  const std::map<std::string, std::int64_t> expected{ { vtkMTPolyDataStream::GetCrossedPolygonsName(), 2 } };
+  for (int round = 0; round < 2; ++round)
+  {
+    EXPECT_EQ(ReadAll(stream).Triangles.size(), 6u);
+    EXPECT_EQ(stream.GetReport(), expected);
+  }
+}
+
+TEST(PolyDataStream, PolygonWithABadCornerIsDroppedAsAWhole)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto mesh = MTTestMeshes::Make({ { 0, 0, 0 }, { 1, 0, 0 }, { nan, 1, 0 }, { 0, 1, 0 }, { 0, 0.5, 0 } }, {});
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2, 3, 4 });
+  polys->InsertNextCell({ 0, 1, 77, 3 });
+  mesh->SetPolys(polys);
+  vtkMTPolyDataStream stream(mesh);
+  const Everything all = ReadAll(stream);
+  ASSERT_EQ(all.Triangles.size(), 5u);
+  for (std::size_t t = 0; t < all.Triangles.size(); ++t)
+  {
+    const std::uint64_t bad = t < 3 ? 2 : 77;
+    EXPECT_EQ(std::count(all.Triangles[t].begin(), all.Triangles[t].end(), bad), 1) << t;
+  }
+}

@@ -4,6 +4,8 @@
 #include "vtkMTChunkStream.h"
 #include "vtkMTFieldNames.h"
 #include "vtkMTFileByteSource.h"
+#include "vtkMTIdNames.h"
+#include "vtkMTObjMaterials.h"
 #include "vtkMTObjParser.h"
 #include "vtkMTSpoolWedges.h"
 
@@ -27,14 +29,15 @@ struct FaceRecord
   std::uint64_t Corners;
   std::int32_t Material;
   std::int32_t Group;
+  std::int32_t Object;
+  std::int32_t Padding;
 };
 
 // A point as the lines "v" give it.
 struct PointRecord
 {
   double Place[3];
-  float Color[3];
-  float Padding;
+  vtkMTObjParser::Color Color;
 };
 
 //------------------------------------------------------------------------------
@@ -48,6 +51,7 @@ public:
     , TextureSpool(store)
     , NormalSpool(store)
     , FaceSpool(store)
+    , OtherSpool(store)
     , Wedges(store, memory)
   {
   }
@@ -55,18 +59,34 @@ public:
   bool Read(std::string& error)
   {
     return this->Parse(error) && this->PointSpool.Seal(error) && this->TextureSpool.Seal(error) &&
-      this->NormalSpool.Seal(error) && this->FaceSpool.Seal(error) &&
-      this->Wedges.Finish(this->Points, { None, None }, error);
+      this->NormalSpool.Seal(error) && this->FaceSpool.Seal(error) && this->OtherSpool.Seal(error) &&
+      this->Wedges.Finish(this->Points, { this->Textures, this->Normals }, this->Missing, error) &&
+      this->FindOthers(error);
   }
 
+  // When it is known which faces are bad.
+  const vtkMTInputReport& Finish(std::uint64_t badFaces)
+  {
+    const std::uint64_t good = this->GoodOthers[0] + this->GoodOthers[1];
+    this->CountAll(this->Missing, badFaces + this->Others - good);
+    vtkMTInputReports::Add("vertices", this->GoodOthers[Vertices], this->Report);
+    vtkMTInputReports::Add("lines", this->GoodOthers[Line], this->Report);
+    return this->Report;
+  }
+  std::uint64_t GetNumberOfGoodOthers() const { return this->GoodOthers[Vertices] + this->GoodOthers[Line]; }
+
   using vtkMTObjParser::Faces;
-  using vtkMTObjParser::Group;
+  using vtkMTObjParser::FinishColor;
+  using vtkMTObjParser::Groups;
+  using vtkMTObjParser::HasAlpha;
   using vtkMTObjParser::HasColors;
+  using vtkMTObjParser::HasGroups;
+  using vtkMTObjParser::HasObjects;
   using vtkMTObjParser::IsDouble;
   using vtkMTObjParser::Libraries;
-  using vtkMTObjParser::Lines;
-  using vtkMTObjParser::MaterialNames;
+  using vtkMTObjParser::Materials;
   using vtkMTObjParser::Normals;
+  using vtkMTObjParser::Objects;
   using vtkMTObjParser::Points;
   using vtkMTObjParser::Textures;
 
@@ -77,11 +97,11 @@ public:
   vtkMTSpoolWedges Wedges;
 
 private:
-  bool AddVertex(const double* place, const float* colors) override
+  bool AddVertex(const double* place, const vtkMTObjParser::Color& color) override
   {
     PointRecord record{};
     std::copy_n(place, 3, record.Place);
-    std::copy_n(colors, colors ? 3 : 0, record.Color);
+    record.Color = color;
     return this->PointSpool.Put(&record, sizeof(record), this->Error);
   }
   bool AddTexture(const float* coordinates) override
@@ -91,17 +111,45 @@ private:
   bool AddNormal(const float* normal) override { return this->NormalSpool.Put(normal, 3 * sizeof(float), this->Error); }
   bool AddCell(const Cell& cell) override
   {
-    if (!cell.IsFace)
+    if (cell.Kind != Face)
     {
-      return true; // lines are only counted
+      // They are only counted, when it is known whether their points exist.
+      std::uint64_t record[2] = { static_cast<std::uint64_t>(cell.Kind), 0 };
+      for (const Corner& corner : cell.Corners)
+      {
+        record[1] = std::max(record[1], corner.Point);
+      }
+      ++this->Others;
+      return this->OtherSpool.Put(record, sizeof(record), this->Error);
     }
-    const FaceRecord record{ cell.Corners.size(), cell.Material, cell.Group };
+    const FaceRecord record{ cell.Corners.size(), cell.Material, cell.Group, cell.Object, 0 };
     return this->FaceSpool.Put(&record, sizeof(record), this->Error) &&
       std::all_of(cell.Corners.begin(), cell.Corners.end(),
         [this](const Corner& corner) {
           return this->Wedges.AddCorner(corner.Point, { corner.Texture, corner.Normal }, this->Error);
         });
   }
+
+  bool FindOthers(std::string& error)
+  {
+    for (std::uint64_t i = 0; i < this->Others; ++i)
+    {
+      std::uint64_t record[2];
+      const unsigned char* bytes = this->OtherSpool.Take(sizeof(record), error);
+      if (!bytes)
+      {
+        return false;
+      }
+      std::memcpy(record, bytes, sizeof(record));
+      this->GoodOthers[record[0]] += this->HasCorner(record[1]) ? 1 : 0;
+    }
+    return true;
+  }
+
+  vtkMTSpoolQueue OtherSpool; // of vertices and lines: the kind, and the largest point
+  std::uint64_t Others = 0;
+  std::uint64_t GoodOthers[2] = { 0, 0 }; // by kind
+  Key Missing = { 0, 0 };
 };
 
 // Passes all items of a spool by the lookup.
@@ -137,10 +185,12 @@ public:
 
   bool Open()
   {
-    if (!this->File.Read(this->Error) || this->File.Faces == 0 || !this->FindValues() || !this->FindCells())
+    if (!this->File.Read(this->Error) || !this->FindValues() || !this->FindCells() ||
+      this->GetNumberOfCells() == this->FirstCell)
     {
       return false;
     }
+    this->NameIds();
     this->Bytes.reset();
     vtkNew<vtkPolyData> points;
     vtkNew<vtkPolyData> cells;
@@ -148,18 +198,14 @@ public:
     const bool isRead =
       this->RewindFile() && this->ReadPoints(1, points) && this->ReadCells(1, cells, corners) && this->Rewind();
     this->Arrays = GetArraysOf(points, cells);
-    if (this->File.Lines > 0)
-    {
-      this->Report["lines"] = static_cast<std::int64_t>(this->File.Lines);
-    }
     return isRead;
   }
 
-  bool HasNames() const { return !this->File.Libraries.empty() || !this->File.MaterialNames.empty(); }
+  bool HasNames() const { return !this->File.Libraries.empty() || !this->File.Materials.Names.empty(); }
   void GetNames(vtkPolyData* mesh) const
   {
     vtkMTFieldNames::Add(mesh, "MaterialLibraries", this->File.Libraries);
-    vtkMTFieldNames::Add(mesh, "MaterialNames", this->File.MaterialNames);
+    vtkMTFieldNames::Add(mesh, "MaterialNames", this->File.Materials.Names);
   }
 
 private:
@@ -168,7 +214,7 @@ private:
   {
     vtkMTSpoolWedges& wedges = this->File.Wedges;
     this->Points = this->File.Points + wedges.GetNumberOfCopies();
-    this->FirstCell = this->File.Lines;
+    this->FirstCell = this->File.GetNumberOfGoodOthers();
     for (std::uint64_t i = 0; i < wedges.GetNumberOfCopies(); ++i)
     {
       std::uint64_t original = 0;
@@ -194,16 +240,43 @@ private:
   bool FindCells()
   {
     std::vector<std::uint64_t> corners;
+    std::uint64_t bad = 0;
     for (std::uint64_t i = 0; i < this->File.Faces; ++i)
     {
       FaceRecord face;
       corners.clear();
-      if (!this->TakeFace(face, corners) || !this->AddCell(corners.data(), corners.size()))
+      if (!this->TakeFace(face, corners))
+      {
+        return false;
+      }
+      const bool isBad = std::find(corners.begin(), corners.end(), None) != corners.end();
+      bad += isBad ? 1 : 0;
+      if (!isBad && !this->AddCell(corners.data(), corners.size()))
       {
         return false;
       }
     }
+    vtkMTInputReports::Add(this->File.Finish(bad), this->Report);
     return this->FinishCells();
+  }
+
+  // The tables of the ids' names, which every chunk has.
+  void NameIds()
+  {
+    if (!this->File.Materials.Names.empty())
+    {
+      std::vector<std::string> ignored; // vtkMTTextureCollector meets them again
+      vtkMTObjMaterials::SetTable(this->Materials, this->File.Materials.Names,
+        vtkMTObjMaterials::Read(this->Name, this->File.Libraries, ignored));
+    }
+    if (this->File.HasGroups())
+    {
+      vtkMTIdNames::Set(this->Groups, this->File.Groups.Names);
+    }
+    if (this->File.HasObjects())
+    {
+      vtkMTIdNames::Set(this->Objects, this->File.Objects.Names);
+    }
   }
 
   template <typename Record>
@@ -284,7 +357,8 @@ private:
     vtkNew<vtkPoints> points;
     points->SetDataType(this->File.IsDouble ? VTK_DOUBLE : VTK_FLOAT);
     points->SetNumberOfPoints(static_cast<vtkIdType>(count));
-    const auto colors = MakeArray("RGB", 3, count);
+    const int channels = this->File.HasAlpha() ? 4 : 3;
+    const auto colors = MakeArray(channels == 4 ? "RGBA" : "RGB", channels, count);
     const auto coordinates = MakeArray("TCoords", 2, count);
     const auto normals = MakeArray("Normals", 3, count);
     for (vtkIdType i = 0; i < static_cast<vtkIdType>(count); ++i)
@@ -298,12 +372,12 @@ private:
         return this->Fail(this->Name + ": " + this->Error);
       }
       points->SetPoint(i, record.Place);
-      colors->SetTypedTuple(i, record.Color);
+      colors->SetTypedTuple(i, this->File.FinishColor(record.Color).data());
     }
     chunk->SetPoints(points);
-    if (this->File.HasColors)
+    if (this->File.HasColors())
     {
-      chunk->GetPointData()->AddArray(colors);
+      chunk->GetPointData()->SetScalars(colors);
     }
     chunk->GetPointData()->SetTCoords(this->Textures.GetNumberOfRequests() > 0 ? coordinates : nullptr);
     chunk->GetPointData()->SetNormals(this->Normals.GetNumberOfRequests() > 0 ? normals : nullptr);
@@ -312,30 +386,43 @@ private:
 
   bool ReadCells(std::uint64_t count, vtkPolyData* chunk, vtkMTCellCorners& corners) override
   {
-    vtkNew<vtkIntArray> materials;
-    vtkNew<vtkIntArray> groups;
-    materials->SetName("MaterialIds");
-    groups->SetName("GroupIds");
-    for (std::uint64_t i = 0; i < count; ++i)
+    std::vector<std::uint64_t> ofFace;
+    const vtkNew<vtkIntArray> materials;
+    const vtkNew<vtkIntArray> groups;
+    const vtkNew<vtkIntArray> objects;
+    while (corners.Ends.size() < count)
     {
       FaceRecord face;
-      if (!this->TakeFace(face, corners.Points))
+      ofFace.clear();
+      if (!this->TakeFace(face, ofFace))
       {
         return this->Fail(this->Name + ": " + this->Error);
       }
+      if (std::find(ofFace.begin(), ofFace.end(), None) != ofFace.end())
+      {
+        continue;
+      }
+      corners.Points.insert(corners.Points.end(), ofFace.begin(), ofFace.end());
       corners.Ends.push_back(corners.Points.size());
       materials->InsertNextValue(face.Material);
       groups->InsertNextValue(face.Group);
+      objects->InsertNextValue(face.Object);
     }
-    if (!this->File.MaterialNames.empty())
-    {
-      chunk->GetCellData()->AddArray(materials);
-    }
-    if (this->File.Group > 0)
-    {
-      chunk->GetCellData()->AddArray(groups);
-    }
+    AddIds(chunk, "MaterialIds", materials, this->Materials);
+    AddIds(chunk, "GroupIds", groups, this->Groups);
+    AddIds(chunk, "ObjectIds", objects, this->Objects);
     return true;
+  }
+
+  // Those that have names.
+  static void AddIds(vtkPolyData* chunk, const char* name, vtkIntArray* ids, vtkIntArray* named)
+  {
+    if (named->GetLookupTable())
+    {
+      ids->SetName(name);
+      ids->SetLookupTable(named->GetLookupTable());
+      chunk->GetCellData()->AddArray(ids);
+    }
   }
 
   const std::string Name;
@@ -345,6 +432,9 @@ private:
   vtkMTSpoolLookup Normals;
   std::unique_ptr<vtkMTFileByteSource> Bytes; // while the file is read
   std::uint64_t NextPoint = 0;
+  vtkNew<vtkIntArray> Materials; // without values, with the names of all ids
+  vtkNew<vtkIntArray> Groups;
+  vtkNew<vtkIntArray> Objects;
 };
 }
 
