@@ -25,7 +25,9 @@ public:
 
   void ReadLine(std::string_view line)
   {
-    const Words words = vtkMTVerifyText::Split(line.substr(0, line.find('#')));
+    Words words = vtkMTVerifyText::Split(line); // a comment begins a word: "1.#QNAN" has none
+    words.erase(std::find_if(words.begin(), words.end(), [](std::string_view word) { return word[0] == '#'; }),
+      words.end());
     const std::string_view keyword = words.empty() ? std::string_view() : words[0];
     if (keyword == "v")
     {
