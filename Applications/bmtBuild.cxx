@@ -49,7 +49,7 @@ vtkTypeInt64 ParseSize(const std::string& text)
 {
   char* end = nullptr;
   double bytes = std::strtod(text.c_str(), &end);
-  std::string unit(end);
+  std::string unit(end + (*end == ' ' ? 1 : 0)); // messages print one
   std::transform(unit.begin(), unit.end(), unit.begin(), [](unsigned char c) { return std::tolower(c); });
   const std::string prefixes = "kmgt";
   const std::size_t prefix = unit.empty() ? std::string::npos : prefixes.find(unit[0]);

@@ -104,6 +104,8 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
     ? static_cast<double>(bytes) / static_cast<double>(graph.InputCounts.Triangles)
     : 0.0;
   json["bounds"] = std::vector<double>(bounds, bounds + 6);
+  json["crs"] = graph.Crs;
+  json["units"] = graph.Units;
   json["arrays"] = DescribeArrays(graph.Arrays);
   json["partition"] = GetStrategy(graph, "partition");
   json["simplifier"] = GetStrategy(graph, "simplifier");
@@ -118,9 +120,7 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["input_report"] = DescribeMap(graph.InputReport);
   for (const vtkMTBlobInfo& blob : graph.Blobs)
   {
-    bmtJson entry;
-    entry["name"] = blob.Name;
-    entry["type"] = blob.Type;
+    bmtJson entry = { { "name", blob.Name }, { "type", blob.Type } };
     entry.update(bmtJson(blob.Properties));
     json["blobs"].push_back(entry);
   }

@@ -7,15 +7,19 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMTGraph.h"
+#include "vtkMTPatchSource.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkTexture.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include <dlfcn.h>
 
@@ -97,6 +101,7 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   {
     throw bmtError(options.File + ": its coarsest patches cannot be read; 'bmt verify' says more");
   }
+  this->Textures = vtkMTModelTextures::Read(*this->Model->GetSource());
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
   this->Mapper->SetTriangleLimit(options.Budget);
@@ -163,29 +168,29 @@ void bmtScene::RequireDisplay() const
 
 void bmtScene::SetColorBy(const std::string& what)
 {
-  this->Mapper->SetColorByToNone();
+  using Mapper = vtkMultiTriangulationMapper;
+  static const std::map<std::string, int> cuts{ { "level", Mapper::LEVEL }, { "patch", Mapper::PATCH },
+    { "error", Mapper::ERROR_IN_PIXELS } };
+  const auto cut = cuts.find(what);
+  this->Mapper->SetColorBy(cut == cuts.end() ? Mapper::NONE : cut->second);
   this->Mapper->ScalarVisibilityOff();
-  if (what == "level")
+  this->Actor->GetProperty()->RemoveAllTextures();
+  if (what.empty())
   {
-    this->Mapper->SetColorByToLevel();
+    this->Mapper->SelectColors(); // those of the mesh; other values only when they are asked for
+    for (const vtkMTModelTextures::Texture& each : this->Textures.Textures)
+    {
+      vtkNew<vtkTexture> texture;
+      texture->SetInputData(each.Image);
+      texture->InterpolateOn();
+      texture->SetBlendingMode(vtkTexture::VTK_TEXTURE_BLENDING_MODE_MODULATE);
+      this->Actor->GetProperty()->SetTexture(each.Name.c_str(), texture);
+      this->Mapper->MapTextureToMaterial(each.Name.c_str(), each.Material, each.Part);
+    }
   }
-  else if (what == "patch")
-  {
-    this->Mapper->SetColorByToPatch();
-  }
-  else if (what == "error")
-  {
-    this->Mapper->SetColorByToError();
-  }
-  else if (!what.empty())
+  else if (cut == cuts.end())
   {
     this->ColorByArray(what);
-  }
-  else if (vtkDataArray* colors = this->Model->GetPointData()->GetScalars())
-  {
-    // Colours that came with the mesh are shown as they are; other values only when they are asked for.
-    this->Mapper->SetScalarVisibility(
-      colors->GetDataType() == VTK_UNSIGNED_CHAR && colors->GetNumberOfComponents() >= 3);
   }
 }
 
@@ -201,25 +206,19 @@ void bmtScene::ColorByArray(const std::string& name)
   if (!array)
   {
     std::string names = "level, patch, error";
-    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(this->Model->GetPointData()),
-           static_cast<vtkDataSetAttributes*>(this->Model->GetCellData()) })
+    for (const vtkMTArrayInfo& each : this->Model->GetSource()->GetGraph().Arrays)
     {
-      for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-      {
-        names += std::string(", ") + (data->GetArrayName(i) ? data->GetArrayName(i) : "");
-      }
+      names += ", " + each.Name;
     }
     throw bmtError("--color-by " + name + ": no such array; there are " + names);
   }
+  const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
   vtkNew<vtkLookupTable> table;
   table->SetHueRange(0.667, 0.0); // blue is low
-  if (array->GetNumberOfComponents() > 1)
-  {
-    table->SetVectorModeToMagnitude();
-  }
+  table->SetVectorMode(component < 0 ? vtkScalarsToColors::MAGNITUDE : vtkScalarsToColors::COMPONENT);
   this->Mapper->SelectColorArray(name.c_str());
   this->Mapper->SetLookupTable(table);
-  this->Mapper->SetScalarRange(array->GetRange(array->GetNumberOfComponents() > 1 ? -1 : 0));
+  this->Mapper->SetScalarRange(array->GetRange(component));
   this->Mapper->ScalarVisibilityOn();
 }
 
@@ -232,5 +231,6 @@ bmtJson bmtScene::DescribeFrame() const
   json["pixel_error"] = this->Mapper->GetAchievedPixelError(); // null where it has no bound
   json["converged"] = this->Mapper->GetConverged();
   json["cut_ms"] = 1e3 * this->Mapper->GetCutTime();
+  json["texture_problems"] = this->Textures.Problems;
   return json;
 }

@@ -9,6 +9,7 @@
 #include "bmtCommon.h"
 
 #include "vtkActor.h"
+#include "vtkMTModelTextures.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkNew.h"
@@ -45,7 +46,7 @@ public:
    */
   void RequireDisplay() const;
 
-  /// "level", "patch", "error", the name of an array of the model, or nothing for the property's colour.
+  /// "level", "patch", "error", the name of an array of the model, or nothing for the model's colours and textures.
   void SetColorBy(const std::string& what);
   /// The figures of the last frame.
   bmtJson DescribeFrame() const;
@@ -59,6 +60,8 @@ public:
 private:
   void SetCamera(const bmtSceneOptions& options);
   void ColorByArray(const std::string& name);
+
+  vtkMTModelTextures Textures;
 };
 
 #endif

@@ -18,6 +18,8 @@
 
 namespace
 {
+constexpr int Unchecked = 3; // an exit code beside bmtExit's: nothing wrong was found, but the input was not checked
+
 struct Options
 {
   std::string File;
@@ -27,15 +29,13 @@ struct Options
   int Samples = 500000;
 };
 
+// A check that has tested nothing, but says why, has not passed.
 bmtJson DescribeCheck(
   const std::string& name, std::uint64_t tested, std::uint64_t violations, double worst, const std::string& message)
 {
-  bmtJson json;
-  json["name"] = name;
-  json["ok"] = violations == 0;
-  json["tested"] = tested;
-  json["violations"] = violations;
-  json["worst"] = worst;
+  const bool isOpen = tested == 0 && violations == 0 && !message.empty();
+  bmtJson json = { { "name", name }, { "ok", isOpen ? bmtJson() : bmtJson(violations == 0) }, { "tested", tested },
+    { "violations", violations }, { "worst", worst } };
   if (!message.empty())
   {
     json["message"] = message;
@@ -67,10 +67,7 @@ bmtJson DescribeSpans(vtkTable* spans)
     wide += levels >= 3 ? cuts : 0;
     counts[std::to_string(levels)] = cuts;
   }
-  bmtJson json;
-  json["three_levels_or_more"] = wide;
-  json["cuts_by_levels_spanned"] = counts;
-  return json;
+  return { { "three_levels_or_more", wide }, { "cuts_by_levels_spanned", counts } };
 }
 
 bmtJson DescribeTightness(vtkTable* levels)
@@ -78,10 +75,10 @@ bmtJson DescribeTightness(vtkTable* levels)
   bmtJson json = bmtJson::object();
   for (vtkIdType row = 0; row < levels->GetNumberOfRows(); ++row)
   {
-    bmtJson& entry = json[levels->GetValueByName(row, "level").ToString()];
-    entry["median"] = levels->GetValueByName(row, "median").ToDouble();
-    entry["worst"] = levels->GetValueByName(row, "worst").ToDouble();
-    entry["n"] = levels->GetValueByName(row, "nodes").ToUnsignedLongLong();
+    json[levels->GetValueByName(row, "level").ToString()] = { { "median",
+                                                                levels->GetValueByName(row, "median").ToDouble() },
+      { "worst", levels->GetValueByName(row, "worst").ToDouble() },
+      { "n", levels->GetValueByName(row, "nodes").ToUnsignedLongLong() } };
   }
   return json;
 }
@@ -89,8 +86,15 @@ bmtJson DescribeTightness(vtkTable* levels)
 bmtJson Describe(vtkMultiTriangulationVerifier* verifier)
 {
   bmtJson json;
-  json["ok"] = verifier->IsValid();
+  const bool isChecked = verifier->GetInputReading().empty() || verifier->GetInputChecked();
+  json["ok"] = verifier->IsValid() && !isChecked ? bmtJson() : bmtJson(verifier->IsValid());
   json["checks"] = DescribeChecks(verifier->GetChecks());
+  if (!verifier->GetInputReading().empty())
+  {
+    json["input"] = { { "reading", verifier->GetInputReading() }, { "independent", verifier->GetInputChecked() },
+      { "coordinate_allowance", verifier->GetCoordinateAllowance() },
+      { "area_allowance", verifier->GetAreaAllowance() }, { "volume_allowance", verifier->GetVolumeAllowance() } };
+  }
   if (verifier->GetChecks()->GetNumberOfRows() > 4) // the model by itself was sound, so there were cuts
   {
     json["spans"] = DescribeSpans(verifier->GetSpans());
@@ -100,21 +104,11 @@ bmtJson Describe(vtkMultiTriangulationVerifier* verifier)
     json["certified_over_sampled"] = DescribeTightness(verifier->GetTightness());
     json["measured_cuts"] = verifier->GetNumberOfMeasuredCuts();
     json["tolerance"] = verifier->GetTolerance();
-    json["skipped_input_triangles"]["not_finite"] = verifier->GetNumberOfNonFiniteTriangles();
-    json["skipped_input_triangles"]["index_out_of_range"] = verifier->GetNumberOfOutOfRangeTriangles();
-    json["skipped_input_triangles"]["degenerate"] = verifier->GetNumberOfDegenerateTriangles();
-    json["skipped_input_triangles"]["far_outlier"] = verifier->GetNumberOfFarOutliers();
+    json["skipped_input_triangles"] = { { "not_finite", verifier->GetNumberOfNonFiniteTriangles() },
+      { "index_out_of_range", verifier->GetNumberOfOutOfRangeTriangles() },
+      { "degenerate", verifier->GetNumberOfDegenerateTriangles() },
+      { "far_outlier", verifier->GetNumberOfFarOutliers() } };
   }
-  return json;
-}
-
-// The file as an unsound model: what is wrong with it keeps it from being opened, and the report says so in the same
-// form as for any other damage.
-bmtJson DescribeDamage(const std::string& message)
-{
-  bmtJson json;
-  json["ok"] = false;
-  json["checks"] = bmtJson::array({ DescribeCheck("checksums", 1, 1, 0.0, message) });
   return json;
 }
 
@@ -146,21 +140,28 @@ bmtJson Verify(const Options& options)
     {
       throw;
     }
-    return DescribeDamage(error.what());
+    // The file as an unsound model: the report says what keeps it from being opened as it does for any other damage.
+    return { { "ok", false }, { "checks", bmtJson::array({ DescribeCheck("checksums", 1, 1, 0.0, error.what()) }) } };
   }
   vtkNew<vtkMultiTriangulationVerifier> verifier;
-  vtkMultiTriangulationVerifier::InputOpener openInput;
-  if (!options.Input.Paths.empty())
+  const bmtInput& input = options.Input;
+  for (const std::string& path : input.Paths)
   {
-    verifier->SetInputName(options.Input.Paths.front().c_str());
-    openInput = [&options](std::string& error) { return OpenInput(options.Input, error); };
+    verifier->AddInputFileName(path.c_str());
   }
+  if (input.IsoValue)
+  {
+    verifier->SetInputIsoValue(*input.IsoValue);
+  }
+  verifier->SetInputVerticalScale(input.VerticalScale);
+  verifier->SetInputDegrees(input.Degrees);
+  vtkMultiTriangulationVerifier::InputOpener openInput = [&](std::string& error) { return OpenInput(input, error); };
   verifier->SetNumberOfCuts(options.Cuts);
   verifier->SetNumberOfSamples(options.Samples);
   verifier->SetSeed(options.Seed);
   bmtProgress progress("verifying");
   bmtFollow(verifier, progress);
-  if (!verifier->Verify(*source, openInput))
+  if (!verifier->Verify(*source, input.Paths.empty() ? nullptr : openInput))
   {
     bmtThrowIfInterrupted();
     throw bmtError(verifier->GetErrorMessage());
@@ -173,13 +174,14 @@ int Report(const Options& options, const bmtContext& context, const bmtJson& res
   bmtPrint(context, result);
   for (const bmtJson& check : result["checks"])
   {
-    if (!check["ok"])
+    const bool isOpen = check["ok"].is_null();
+    if (isOpen || !check["ok"])
     {
-      bmtWarn(options.File + ": check '" + check["name"].get<std::string>() +
-        "' failed: " + check.value("message", "") + "; do not trust this file, build it anew");
+      bmtWarn(options.File + ": check '" + check["name"].get<std::string>() + (isOpen ? "': " : "' failed: ") +
+        check.value("message", "") + (isOpen ? "" : "; do not trust this file, build it anew"));
     }
   }
-  return result["ok"] ? bmtExit::Success : bmtExit::Failure;
+  return result["ok"].is_null() ? Unchecked : (result["ok"] ? bmtExit::Success : bmtExit::Failure);
 }
 }
 
@@ -187,16 +189,14 @@ void bmtAddVerify(CLI::App& app, bmtContext& context)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("verify", "Check a Multi-Triangulation file, and its certified errors");
-  command->footer("Checks: checksums (every block is read), graph, patches, nesting (errors and spheres), pasting, "
-                  "conformity of random cuts and, with\n"
-                  "--input, certified_patch_to_input and certified_input_to_cut: distances by sampling, with code that "
-                  "the builder does not use, against\n"
-                  "the errors in the file. 'worst' is the largest of what was measured over what is allowed: at most 1 "
-                  "when all is well. The only\n"
-                  "allowance is 1e-12 of the model's size for the rounding of coordinates. certified_over_sampled "
-                  "says, by level, how\n"
-                  "far the certified error of a node is above the largest distance that was found by sampling.\n"
-                  "Exit code 0 only when every check passed.");
+  command->footer(
+    "Checks: checksums (every block is read), graph, patches, nesting, pasting, conformity of random cuts and, with\n"
+    "--input, the input, read by other code than the builder's: input_reading (by which; or 'not independently\n"
+    "checked', exit code 3), input_triangles, _bounds, _area, _volume (signed), _orientation, _arrays, labels; then\n"
+    "distances by sampling: certified_patch_to_input and certified_input_to_cut. 'worst' is the largest of what was\n"
+    "measured over what is allowed: at most 1 when all is well. Errors are allowed 1e-12 of the model's size for the\n"
+    "rounding of coordinates. certified_over_sampled: by level, the certified error of a node over the largest\n"
+    "distance that was found by sampling. Exit code 0 only when every check passed.");
   command->add_option("FILE", options->File, "A Multi-Triangulation file (.bmt)")->required();
   command
     ->add_option("--input", options->Input.Paths,

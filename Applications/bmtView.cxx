@@ -117,13 +117,9 @@ private:
         mapper->SetFreezeCut(!mapper->GetFreezeCut());
         return true;
       case 'l':
-        this->Scene->SetColorBy("level");
-        return true;
       case 'p':
-        this->Scene->SetColorBy("patch");
-        return true;
       case 'd':
-        this->Scene->SetColorBy("error");
+        this->Scene->SetColorBy(key == 'l' ? "level" : key == 'p' ? "patch" : "error");
         return true;
       case 'n':
         this->Scene->SetColorBy(this->DataColors);

@@ -15,6 +15,12 @@ add_custom_target(mt_unit_tests)
 set(MT_LAYERS_WITHOUT_WINDOW
   Module Sources Partition Simplification FiltersCore Certification Verification Construction IOCore IO IOMesh IOImage
   Building RenderingCore General)
+# These open windows or run the command. AddressSanitizer looks at some of their tests (CMakePresets.json), without
+# leaks: OpenGL, the X server's libraries and GDAL keep what they have got.
+set(MT_LAYERS_WITH_FOREIGN_LEAKS Rendering ApplicationsRender)
+# Those of the layers that have threads, for ThreadSanitizer.
+add_custom_target(mt_thread_tests)
+set(MT_LAYERS_WITH_THREADS Partition Simplification FiltersCore Construction IO RenderingCore)
 
 # mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
 # One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under
@@ -50,12 +56,19 @@ function (mt_add_unit_test layer)
     # gtest_discover_tests starts the program through this, when it asks for its tests and when it runs them.
     set_property(TARGET ${target} PROPERTY CROSSCOMPILING_EMULATOR "${MT_WITH_DISPLAY}")
   endif ()
-  if (layer IN_LIST MT_LAYERS_WITHOUT_WINDOW)
+  if (layer IN_LIST MT_LAYERS_WITHOUT_WINDOW OR layer IN_LIST MT_LAYERS_WITH_FOREIGN_LEAKS)
     add_dependencies(mt_unit_tests ${target})
+  endif ()
+  set(environment)
+  if ("address" IN_LIST MT_SANITIZE AND layer IN_LIST MT_LAYERS_WITH_FOREIGN_LEAKS)
+    set(environment ENVIRONMENT "ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1:detect_leaks=0")
+  endif ()
+  if (layer IN_LIST MT_LAYERS_WITH_THREADS)
+    add_dependencies(mt_thread_tests ${target})
   endif ()
   gtest_discover_tests(${target}
     DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS ${layer} TIMEOUT 900)
+    PROPERTIES LABELS ${layer} TIMEOUT 900 ${environment})
 endfunction ()
 
 # mt_add_script_test(<name> LABEL <label> COMMAND <command...>)

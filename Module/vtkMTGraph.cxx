@@ -181,6 +181,7 @@ vtkMTGraphFigures vtkMTGraph::GetFigures() const
   figures.FinestTriangles = this->GetNumberOfFinestTriangles();
   for (const vtkMTArc& arc : this->Arcs)
   {
+    figures.LargestWedges = std::max(figures.LargestWedges, arc.Wedges);
     figures.AddBox(arc.Box);
   }
   return figures;

@@ -132,6 +132,7 @@ struct vtkMTGraphFigures
 {
   std::uint32_t Levels = 0;
   std::uint64_t FinestTriangles = 0;
+  std::uint32_t LargestWedges = 0; ///< of a patch, so that buffers can be laid out for all of them
   vtkMTBox Box{ 0, -1, 0, -1, 0, -1 };
   void AddBox(const vtkMTBox& box)
   {
@@ -144,7 +145,8 @@ struct vtkMTGraphFigures
   }
   bool operator==(const vtkMTGraphFigures& other) const
   {
-    return this->Levels == other.Levels && this->FinestTriangles == other.FinestTriangles && this->Box == other.Box;
+    return this->Levels == other.Levels && this->FinestTriangles == other.FinestTriangles &&
+      this->LargestWedges == other.LargestWedges && this->Box == other.Box;
   }
 };
 
@@ -216,7 +218,7 @@ public:
   std::uint64_t GetNumberOfRootTriangles() const;
   std::uint64_t GetNumberOfFinestTriangles() const;
   void GetBounds(double bounds[6]) const;
-  /// The three of them; where the graph is whole they are counted.
+  /// All of these; where the graph is whole they are counted.
   vtkMTGraphFigures GetFigures() const;
   /// What GetFigures gives while the graph is partly known.
   void SetFigures(const vtkMTGraphFigures& figures) { this->Figures = figures; }

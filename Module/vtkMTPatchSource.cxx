@@ -11,6 +11,12 @@ const vtkMTGraph& vtkMTPatchSource::GetKnownGraph() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkMTPatchSource::GetGraphError() const
+{
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
 bool vtkMTPatchSource::ReadBlob(std::uint32_t blob, std::vector<unsigned char>& bytes, std::string& error) const
 {
   bytes.clear();

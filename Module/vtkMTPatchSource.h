@@ -28,12 +28,15 @@ public:
   virtual ~vtkMTPatchSource();
 
   /// The whole graph. A source that knows a part of it only reads or waits for the rest; where that fails, the graph
-  /// stays partly known.
+  /// stays partly known, and GetGraphError says why.
   virtual const vtkMTGraph& GetGraph() const = 0;
 
   /// The same object, as far as it is known now. Never waits: for renderers, which look at the known part only. What
   /// is not graph (lattice, arrays, blobs, ranges, settings) is there at once.
   virtual const vtkMTGraph& GetKnownGraph() const;
+
+  /// Why the rest of the graph cannot be read; empty as long as it may still come, or is there. Never waits.
+  virtual std::string GetGraphError() const;
 
   /**
    * Reads one arc's patch, of a known arc; that of a dependency is empty. arrays, when given, has one entry per array

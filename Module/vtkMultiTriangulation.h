@@ -12,7 +12,7 @@
  * GetDataObjectType stays VTK_POLY_DATA, so everything that asks for polydata takes it. A filter that does not know
  * this class works on the points and cells, which are those of the coarsest cut unless SetSource was asked for a finer
  * one (SetOutputError of vtkMultiTriangulationReader); a vtkMultiTriangulationCutFilter before it gives it any other
- * cut.
+ * cut. The algorithm that made the object warns of the first such filter that takes the coarsest cut from its output.
  *
  * Placement: the patches lie on the lattice and stay there. The object has an affine map from the lattice's coordinates
  * to its own, the frame: that of the model, the identity where it has none, and what ApplyTransform adds. Points and
@@ -31,6 +31,7 @@
 #include <memory>
 #include <string>
 
+class vtkAlgorithm;
 class vtkMTCut;
 class vtkMTPatchSource;
 
@@ -114,6 +115,21 @@ public:
    */
   static bool CutToPolyData(
     const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);
+
+  ///@{
+  /**
+   * How a producer finds out whether a filter behind it knows the patches. VTK does not tell it who takes its output;
+   * but whenever a consumer updates, ComputePipelineMTime is called on the consumer first and on the producer then. So
+   * a filter that uses the patches of its first input leaves a mark on it (AnnounceUse), and the producer takes it away
+   * (CheckUse, with the port that its ComputePipelineMTime is called for): where there is none, the consumer does not
+   * know them. Nothing is kept of the consumer, which may be gone at any time. WarnOfUse is for the end of a producer's
+   * RequestData: it warns, once for each output, where such a consumer asked and the output's own mesh is the coarsest
+   * of several cuts.
+   */
+  static void AnnounceUse(vtkInformationVector** inputs);
+  static void CheckUse(vtkAlgorithm* producer, vtkInformationVector* outputs, int port);
+  static void WarnOfUse(vtkAlgorithm* producer, vtkInformationVector* outputs);
+  ///@}
 #endif
 
 protected:

@@ -8,6 +8,7 @@
 #include "vtkMTMeshMerge.h"
 #include "vtkMTMeshReader.h"
 #include "vtkMTMeshStream.h"
+#include "vtkMTPlacement.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTTerrain.h"
 #include "vtkMTTextureCollector.h"
@@ -25,24 +26,40 @@ struct vtkMTBuildInput::ReadPart
 {
   std::vector<std::string> Files;
   vtkSmartPointer<vtkPolyData> Mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkMTWorldFrame Frame;
 };
 
 namespace
 {
-// The finest level.
-bool ReadModel(const std::string& path, vtkPolyData* mesh, std::string& error)
+// The finest level, at the place that the model's frame gives it: the name of its coordinates' frame is that of a model
+// that stays in its place.
+bool ReadModel(const std::string& path, vtkPolyData* mesh, vtkMTWorldFrame& frame, std::string& error)
 {
   vtkMTFileSource source;
   if (!source.Open(path, error))
   {
     return false;
   }
+  const vtkMTGraph& graph = source.GetGraph();
+  frame = graph.Frame ? vtkMTWorldFrame() : vtkMTWorldFrame{ graph.Crs, graph.Units };
   vtkMTCut cut(source.GetGraph());
   for (std::uint32_t node = 0; node < source.GetGraph().GetSink(); ++node)
   {
     cut.RefineWithDependencies(node);
   }
-  return vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error);
+  if (!vtkMultiTriangulation::CutToPolyData(source, cut, mesh, error))
+  {
+    return false;
+  }
+  vtkMTPlacement placement;
+  placement.Matrix = source.GetGraph().Frame.value_or(placement.Matrix);
+  if (!vtkMTPlacement::IsSound(placement.Matrix.data()))
+  {
+    error = path + ": its frame is no affine map that has an inverse";
+    return false;
+  }
+  placement.Apply(mesh);
+  return true;
 }
 }
 
@@ -59,15 +76,26 @@ bool vtkMTBuildInput::CheckGoesOn(vtkMTBuildError& error) const
   return this->GoesOn() || error.Fail(vtkMultiTriangulationFileBuilder::AbortError, "aborted");
 }
 
+std::vector<std::string> vtkMTBuildInput::FindFiles(const std::vector<std::string>& paths)
+{
+  std::vector<std::string> files = paths;
+  for (const std::string& path : paths)
+  {
+    const std::vector<std::string> others = vtkMTVolumeReader::FindOtherFiles(path);
+    files.insert(files.end(), others.begin(), others.end());
+  }
+  return files;
+}
+
 //------------------------------------------------------------------------------
 // Read whole
-bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error) const
+bool vtkMTBuildInput::ReadPath(const std::string& path, ReadPart& part, vtkMTBuildError& error)
 {
   std::string reason;
   bool good = true;
   if (vtkMTFileSource::CanRead(path))
   {
-    good = ReadModel(path, mesh, reason);
+    good = ReadModel(path, part.Mesh, part.Frame, reason);
   }
   else if (vtkMTVolumeReader::CanRead(path))
   {
@@ -76,12 +104,15 @@ bool vtkMTBuildInput::ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMT
       return error.Fail(vtkMultiTriangulationFileBuilder::IsoValueError,
         path + ": is a volume; an iso value must say which isosurface is meant");
     }
-    good =
-      vtkMTVolumeReader::ReadIsosurface(path, *this->Settings.IsoValue, this->Settings.GradientNormals, mesh, reason);
+    vtkMTVolumeReader::Facts facts;
+    good = vtkMTVolumeReader::ReadIsosurface(
+      path, *this->Settings.IsoValue, this->Settings.GradientNormals, part.Mesh, reason, &facts);
+    part.Frame = facts.Frame;
+    this->AddCounts(facts.Report);
   }
   else
   {
-    good = vtkMTMeshReader::Read(path, mesh, reason);
+    good = vtkMTMeshReader::Read(path, part.Mesh, reason, &this->Found.Counts);
   }
   return good || error.Fail(vtkErrorCode::FileFormatError, reason);
 }
@@ -111,7 +142,7 @@ bool vtkMTBuildInput::ReadParts(std::vector<ReadPart>& parts, vtkMTBuildError& e
     {
       return error.Fail(vtkErrorCode::FileFormatError, reason);
     }
-    if ((!isTile && !this->ReadMesh(path, part.Mesh, error)) || !this->CheckGoesOn(error))
+    if ((!isTile && !this->ReadPath(path, part, error)) || !this->CheckGoesOn(error))
     {
       return false;
     }
@@ -121,11 +152,35 @@ bool vtkMTBuildInput::ReadParts(std::vector<ReadPart>& parts, vtkMTBuildError& e
   {
     return error.Fail(vtkErrorCode::FileFormatError, reason);
   }
-  for (const auto& [name, count] : terrain.GetReport())
+  if (ofTerrain < parts.size())
+  {
+    parts[ofTerrain].Frame = terrain.GetFrame();
+    this->AddCounts(terrain.GetReport());
+  }
+  this->UniteFrames(parts);
+  return true;
+}
+
+void vtkMTBuildInput::AddCounts(const std::map<std::string, std::int64_t>& counts)
+{
+  for (const auto& [name, count] : counts)
   {
     this->Found.Counts[name] += count;
   }
-  return true;
+}
+
+void vtkMTBuildInput::UniteFrames(const std::vector<ReadPart>& parts)
+{
+  const vtkMTWorldFrame& first = parts.front().Frame;
+  const auto differing = std::count_if(parts.begin(), parts.end(),
+    [&first](const ReadPart& part) { return part.Frame.Crs != first.Crs || part.Frame.Units != first.Units; });
+  if (differing > 0)
+  {
+    this->Found.Counts["differing_frames"] = differing;
+    return;
+  }
+  this->Found.Crs = first.Crs;
+  this->Found.Units = first.Units;
 }
 
 bool vtkMTBuildInput::Read(vtkPolyData* mesh, vtkMTBuildError& error)
@@ -164,8 +219,7 @@ bool vtkMTBuildInput::Read(vtkPolyData* mesh, vtkMTBuildError& error)
 
 //------------------------------------------------------------------------------
 // Block by block
-std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::StreamTerrain(
-  vtkMTSpoolStore& store, vtkMTBuildError& error) const
+std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::StreamTerrain(vtkMTSpoolStore& store, vtkMTBuildError& error)
 {
   vtkMTTerrain terrain;
   terrain.VerticalScale = this->Settings.VerticalScale;
@@ -185,6 +239,9 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::StreamTerrain(
     }
   }
   std::unique_ptr<vtkMTTriangleStream> stream = terrain.MakeStream(reason);
+  const vtkMTWorldFrame frame = terrain.GetFrame();
+  this->Found.Crs = frame.Crs;
+  this->Found.Units = frame.Units;
   if (!stream)
   {
     error.Fail(vtkErrorCode::FileFormatError, reason);
@@ -233,8 +290,11 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTBuildInput::Stream(
     vtkMTVolumeReader::CanRead(paths.front()))
   {
     std::string reason;
+    vtkMTWorldFrame frame;
     std::unique_ptr<vtkMTTriangleStream> isosurface =
-      vtkMTVolumeReader::StreamIsosurface(paths.front(), *this->Settings.IsoValue, reason);
+      vtkMTVolumeReader::StreamIsosurface(paths.front(), *this->Settings.IsoValue, reason, 0, &frame);
+    this->Found.Crs = frame.Crs;
+    this->Found.Units = frame.Units;
     if (!isosurface)
     {
       error.Fail(vtkErrorCode::FileFormatError, reason);

@@ -41,9 +41,15 @@ public:
   struct Result
   {
     std::map<std::string, std::int64_t> Counts; ///< what was left out or made up, by reason
-    std::vector<Part> Parts;                    ///< where there are several
-    std::vector<vtkMTTexture> Textures;         ///< that the meshes refer to
-    std::vector<std::string> Problems;          ///< textures that are missing, and why
+    ///@{
+    /// The frame of the coordinates and their units, where all inputs have the same; else empty, and where one of them
+    /// has some, "differing_frames" counts those that are unlike the first.
+    std::string Crs;
+    std::string Units;
+    ///@}
+    std::vector<Part> Parts;            ///< where there are several
+    std::vector<vtkMTTexture> Textures; ///< that the meshes refer to
+    std::vector<std::string> Problems;  ///< textures that are missing, and why
     bool IsStreamed = false;
   };
 
@@ -53,6 +59,9 @@ public:
   ~vtkMTBuildInput();
   vtkMTBuildInput(const vtkMTBuildInput&) = delete;
   void operator=(const vtkMTBuildInput&) = delete;
+
+  /// Those of the paths, and the files that headers of volumes among them name.
+  static std::vector<std::string> FindFiles(const std::vector<std::string>& paths);
 
   /// store and memory, in bytes, are for what is sorted; the store must outlive the stream. Null on failure.
   std::unique_ptr<vtkMTTriangleStream> Open(vtkMTSpoolStore& store, std::uint64_t memory, vtkMTBuildError& error);
@@ -66,10 +75,12 @@ private:
   struct ReadPart;
 
   std::unique_ptr<vtkMTTriangleStream> Stream(vtkMTSpoolStore& store, std::uint64_t memory, vtkMTBuildError& error);
-  std::unique_ptr<vtkMTTriangleStream> StreamTerrain(vtkMTSpoolStore& store, vtkMTBuildError& error) const;
+  std::unique_ptr<vtkMTTriangleStream> StreamTerrain(vtkMTSpoolStore& store, vtkMTBuildError& error);
   std::unique_ptr<vtkMTTriangleStream> StreamParts(vtkMTSpoolStore& store, std::uint64_t memory);
   bool ReadParts(std::vector<ReadPart>& parts, vtkMTBuildError& error);
-  bool ReadMesh(const std::string& path, vtkPolyData* mesh, vtkMTBuildError& error) const;
+  bool ReadPath(const std::string& path, ReadPart& part, vtkMTBuildError& error);
+  void AddCounts(const std::map<std::string, std::int64_t>& counts);
+  void UniteFrames(const std::vector<ReadPart>& parts);
   bool CheckGoesOn(vtkMTBuildError& error) const;
 
   const vtkMTInputSettings Settings;

@@ -6,6 +6,7 @@
 #include "vtkMTMemoryPlan.h"
 #include "vtkMTMemorySpoolStore.h"
 #include "vtkMTOutputFile.h"
+#include "vtkMTPosix.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMTTrimHeap.h"
 #include "vtkMultiTriangulationBuilder.h"
@@ -13,21 +14,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 #include <malloc.h>
-#include <unistd.h>
 
 namespace
 {
-std::uint64_t ReadNumber(const char* path)
-{
-  std::ifstream file(path);
-  std::uint64_t number = 0;
-  return file >> number ? number : 0;
-}
-
 // What is freed is given back to the system, since the limit is measured from outside; but not blocks of the size that
 // a region needs, or a fifth of the time goes into pages that come and go. Where there is room, larger ones stay too.
 void KeepSmallBlocks(std::uint64_t limit)
@@ -49,10 +41,7 @@ std::filesystem::path GetParent(const std::string& output, const std::string& te
 
 std::uint64_t vtkMTBuildWorkspace::GetMachineMemory()
 {
-  const auto pages = static_cast<std::uint64_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
-  const std::uint64_t machine = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  const std::uint64_t group = ReadNumber("/sys/fs/cgroup/memory.max"); // 0 where it says "max"
-  return group > 0 ? std::min(machine, group) : machine;
+  return vtkMTPosix::GetMachineMemory();
 }
 
 std::string vtkMTBuildWorkspace::GetFolder(const std::string& output, const std::string& temporaryFolder)

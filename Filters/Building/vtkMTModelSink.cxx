@@ -23,9 +23,9 @@ bool IsIds(const vtkMTArrayInfo& array)
 }
 
 vtkMTModelSink::vtkMTModelSink(
-  vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds, const std::string& identity)
+  vtkMTPatchSink& next, const vtkMTBuildInput::Result& input, bool withIds, const std::string& identity)
   : Next(next)
-  , Textures(textures)
+  , Input(input)
   , WithIds(withIds)
   , Identity(identity)
 {
@@ -76,9 +76,9 @@ bool vtkMTModelSink::Begin(const std::vector<vtkMTArrayInfo>& arrays)
 {
   this->FindDroppedColumns(arrays);
   bool done = this->Next.Begin(this->Select(arrays));
-  for (std::size_t i = 0; done && i < this->Textures.size(); ++i)
+  for (std::size_t i = 0; done && i < this->Input.Textures.size(); ++i)
   {
-    done = this->Next.WriteBlob(std::vector<unsigned char>(this->Textures[i].Bytes));
+    done = this->Next.WriteBlob(std::vector<unsigned char>(this->Input.Textures[i].Bytes));
   }
   return this->Pass(done);
 }
@@ -121,8 +121,10 @@ bool vtkMTModelSink::Finish(const vtkMTGraph& graph, const std::vector<std::uint
   vtkMTGraph finished = graph;
   finished.Arrays = this->Select(graph.Arrays);
   finished.Settings["build"] = this->Identity;
+  finished.Crs = this->Input.Crs;
+  finished.Units = this->Input.Units;
   std::vector<vtkMTBlobInfo> blobs;
-  std::transform(this->Textures.begin(), this->Textures.end(), std::back_inserter(blobs), Describe);
+  std::transform(this->Input.Textures.begin(), this->Input.Textures.end(), std::back_inserter(blobs), Describe);
   finished.Blobs.insert(finished.Blobs.begin(), blobs.begin(), blobs.end());
   return this->Pass(this->Next.Finish(finished, patchOfArc));
 }

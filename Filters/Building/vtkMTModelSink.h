@@ -6,10 +6,10 @@
 #ifndef vtkMTModelSink_h
 #define vtkMTModelSink_h
 
+#include "vtkMTBuildInput.h"
 #include "vtkMTBuildingModule.h" // For export macro
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSink.h"
-#include "vtkMTTexture.h"
 
 #include <memory>
 #include <string>
@@ -18,10 +18,10 @@
 class VTKMTBUILDING_EXPORT vtkMTModelSink : public vtkMTPatchSink
 {
 public:
-  /// textures become blobs of the model; without ids the array of input cell ids is left out. identity: what tells the
-  /// build from others, kept as the setting "build" by which a finished build is known again.
-  vtkMTModelSink(
-    vtkMTPatchSink& next, const std::vector<vtkMTTexture>& textures, bool withIds, const std::string& identity);
+  /// The input's textures become blobs of the model, its frame and units the model's; without ids the array of input
+  /// cell ids is left out. identity: what tells the build from others, kept as the setting "build" by which a finished
+  /// build is known again.
+  vtkMTModelSink(vtkMTPatchSink& next, const vtkMTBuildInput::Result& input, bool withIds, const std::string& identity);
 
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
   bool WritePatch(vtkMTPatch&& patch) override;
@@ -40,7 +40,7 @@ private:
   void Drop(vtkMTPatch& patch) const;
 
   vtkMTPatchSink& Next;
-  const std::vector<vtkMTTexture>& Textures;
+  const vtkMTBuildInput::Result& Input;
   const bool WithIds;
   const std::string Identity;
   std::vector<std::size_t> DroppedCellColumns; // from the last to the first

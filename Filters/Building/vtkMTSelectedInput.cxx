@@ -38,6 +38,7 @@ std::string vtkMTSelectedInput::KeepArrays(const std::vector<std::string>& names
     else
     {
       dropped.insert(dropped.begin(), columns[isCell ? 1 : 0]);
+      ++this->Report["arrays_left_out"];
     }
     ++columns[isCell ? 1 : 0];
   }

@@ -22,7 +22,8 @@ public:
     const std::map<std::string, std::int64_t>& counts);
   ~vtkMTSelectedInput() override;
 
-  /// Keeps the arrays of these names alone; to be called once, before anything is read. Gives a name of which there is
+  /// Keeps the arrays of these names alone and counts the others (arrays_left_out); to be called once, before anything
+  /// is read. Gives a name of which there is
   /// no array; empty when there is none.
   std::string KeepArrays(const std::vector<std::string>& names);
 

@@ -167,7 +167,7 @@ bool vtkMultiTriangulationFileBuilder::Build(vtkMTBuildError& error)
   {
     return false;
   }
-  const vtkMTInputFiles files(this->Implementation->Input.Paths);
+  const vtkMTInputFiles files(vtkMTBuildInput::FindFiles(this->Implementation->Input.Paths));
   vtkMTBuildWorkspace workspace(
     { this->OutputFileName, this->TemporaryFolder, static_cast<std::uint64_t>(this->MemoryLimit), this->Resume });
   if (!this->MakeIdentity(files, error) || !workspace.Open(error))
@@ -330,7 +330,7 @@ bool vtkMultiTriangulationFileBuilder::WriteFile(
   this->Implementation->UsesFolder = workspace.GetStore() != nullptr;
   vtkMTFileSink sink(
     this->OutputFileName, static_cast<vtkMTFileSink::CompressionType>(this->Compression), workspace.GetStore());
-  vtkMTModelSink model(sink, this->Report->Input.Textures, this->KeepIds, this->Implementation->Identity);
+  vtkMTModelSink model(sink, this->Report->Input, this->KeepIds, this->Implementation->Identity);
   builder->AbortExecuteOff();
   if (builder->Build(input, model))
   {

@@ -7,7 +7,7 @@
  * whole degrees. What somebody designed has flat and gently curved parts with hard edges between them: hardly any edge
  * is in between. What was scanned, or is terrain or noise, has fewer and fewer edges the larger the angle. So a mesh is
  * CAD when at least a fiftieth of its edges have angles of LeastHardAngle or more, and these are more than those of
- * half of that up to there. Documentation/decisions/0030-feature-angle.md has the figures.
+ * half of that up to there. Documentation/decisions/0035-feature-angle.md has the figures.
  */
 #ifndef vtkMTDihedralAngles_h
 #define vtkMTDihedralAngles_h

@@ -325,7 +325,15 @@ int vtkMultiTriangulationBuilder::RequestData(
     return 0;
   }
   const bool filled = output->SetSource(store);
+  vtkMultiTriangulation::WarnOfUse(this, outputVector);
   return filled ? 1 : 0;
+}
+
+int vtkMultiTriangulationBuilder::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::CheckUse(this, outputVector, port);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)

@@ -173,6 +173,9 @@ public:
 
   /// Of the settings, strategy and simplifier included.
   vtkMTimeType GetMTime() override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
   /// Makes the output a vtkMultiTriangulation.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;

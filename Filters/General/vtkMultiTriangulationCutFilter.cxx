@@ -241,6 +241,14 @@ vtkMTimeType vtkMultiTriangulationCutFilter::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+int vtkMultiTriangulationCutFilter::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationCutFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
@@ -406,6 +414,10 @@ int vtkMultiTriangulationCutFilter::RequestData(
   if (!source)
   {
     return this->Fail(vtkErrorCode::UnknownError, "the input has no patches, only the mesh that it holds itself");
+  }
+  if (!source->GetGraph().IsWhole())
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, source->GetGraphError());
   }
   Model model;
   model.Placed = vtkMTPlacedGraph(*input);

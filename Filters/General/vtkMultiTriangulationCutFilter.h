@@ -168,6 +168,8 @@ public:
   const char* GetErrorMessage() const { return this->ErrorMessage.c_str(); }
 
   vtkMTimeType GetMTime() override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
 protected:
   vtkMultiTriangulationCutFilter();

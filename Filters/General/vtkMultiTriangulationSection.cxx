@@ -136,6 +136,14 @@ vtkMTimeType vtkMultiTriangulationSection::GetMTime()
 }
 
 //------------------------------------------------------------------------------
+int vtkMultiTriangulationSection::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationSection::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiTriangulation");
@@ -164,6 +172,10 @@ int vtkMultiTriangulationSection::RequestData(
   if (!source)
   {
     return this->Fail(vtkErrorCode::UnknownError, "the input has no patches, only the mesh that it holds itself");
+  }
+  if (!source->GetGraph().IsWhole())
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, source->GetGraphError());
   }
   if (!this->ImplicitFunction)
   {

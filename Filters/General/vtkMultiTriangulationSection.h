@@ -77,6 +77,8 @@ public:
   ///@}
 
   vtkMTimeType GetMTime() override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
 protected:
   vtkMultiTriangulationSection();

@@ -88,6 +88,15 @@ vtkTypeBool vtkMultiTriangulationTransform::ProcessRequest(
 }
 
 //------------------------------------------------------------------------------
+int vtkMultiTriangulationTransform::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  vtkMultiTriangulation::CheckUse(this, outputVector, port);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationTransform::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -113,5 +122,6 @@ int vtkMultiTriangulationTransform::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
+  vtkMultiTriangulation::WarnOfUse(this, outputVector);
   return 1;
 }

@@ -45,6 +45,8 @@ public:
   vtkMTimeType GetMTime() override;
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
 protected:
   vtkMultiTriangulationTransform();

@@ -7,6 +7,7 @@
 #include "vtkMTSurfaceSampler.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace
@@ -21,30 +22,9 @@ vtkMTMeasuringFrame MakeFrame(const vtkMTGraph& graph, const vtkMTSampledSurface
   return vtkMTMeasuringFrame::FromBounds(bounds);
 }
 
-// The builder leaves out what is far outside of everything else, and says how much; what that is shows here by itself.
 vtkMTSampledSurface LeaveOutFar(const vtkMTGraph& graph, vtkMTSampledSurface input)
 {
-  const auto found = graph.InputReport.find("dropped_far_outlier");
-  if (found == graph.InputReport.end())
-  {
-    return input;
-  }
-  double box[6];
-  graph.GetBounds(box);
-  const double margin = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
-  const auto isFar = [&](const vtkMTTriangle& triangle)
-  {
-    return std::any_of(triangle.begin(), triangle.end(),
-      [&](std::uint32_t p)
-      {
-        const vtkMTRealPoint& x = input.Points[p];
-        return x[0] < box[0] - margin || x[0] > box[1] + margin || x[1] < box[2] - margin || x[1] > box[3] + margin ||
-          x[2] < box[4] - margin || x[2] > box[5] + margin;
-      });
-  };
-  const auto end = std::remove_if(input.Triangles.begin(), input.Triangles.end(), isFar);
-  input.FarOutliers = input.Triangles.end() - end;
-  input.Triangles.erase(end, input.Triangles.end());
+  input.LeaveOutFar(graph);
   return input;
 }
 
@@ -104,6 +84,13 @@ vtkMTErrorSampling::vtkMTErrorSampling(
   this->InputPoints = this->Input.GetUsedPoints();
   const vtkMTSurfaceSampler::Samples extra =
     vtkMTSurfaceSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
+  if (!this->Input.Slack.empty())
+  {
+    this->LargestSlack = *std::max_element(this->Input.Slack.begin(), this->Input.Slack.end());
+    this->InputSlack.assign(this->InputPoints.size(), 0.0); // vertices are on every triangulation
+    std::transform(extra.Triangles.begin(), extra.Triangles.end(), std::back_inserter(this->InputSlack),
+      [this](std::uint32_t triangle) { return this->Input.Slack[triangle]; });
+  }
   this->InputPoints.insert(this->InputPoints.end(), extra.Points.begin(), extra.Points.end());
 }
 
@@ -175,7 +162,7 @@ bool vtkMTErrorSampling::TestPatches(
       const std::uint32_t node = owner[triangles ? (*triangles)[i] : i];
       const double distance = this->Frame.ToModel(distances[i]);
       this->CountNode(node, distance);
-      const double error = graph.Nodes[node].Error;
+      const double error = graph.Nodes[node].Error + this->Frame.ToModel(this->LargestSlack);
       const bool isGood = distance <= error + this->GetTolerance();
       this->Compare(this->PatchToInput, distance, error,
         isGood ? std::string()
@@ -210,8 +197,9 @@ bool vtkMTErrorSampling::TestInput(const CutSurface& cut, double error, const st
     {
       this->CountNode(cut.TriangleNodes[nearest[i]], distance);
     }
-    const bool isGood = distance <= error + this->GetTolerance();
-    this->Compare(this->InputToCut, distance, error,
+    const double slack = this->InputSlack.empty() ? 0.0 : this->Frame.ToModel(this->InputSlack[i]);
+    const bool isGood = distance <= error + slack + this->GetTolerance();
+    this->Compare(this->InputToCut, distance, error + slack,
       isGood ? std::string() : Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name));
   }
   ++this->Cuts;

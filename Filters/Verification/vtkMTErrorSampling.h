@@ -11,7 +11,8 @@
  * Independent of the builder: own sampling, own closest point search, own reading of errors from the graph. Input
  * triangles that are no surface (a corner that is not finite, an index out of range, two corners at one place) are
  * skipped and counted. So are those that lie at least one extent outside of a model that says that far outliers are
- * missing from it; their number must be what the model says.
+ * missing from it; their number must be what the model says. Where the input has slack (vtkMTVerifyPolygons), distances
+ * may be larger by it.
  */
 #ifndef vtkMTErrorSampling_h
 #define vtkMTErrorSampling_h
@@ -89,6 +90,8 @@ private:
   std::uint64_t Seed;
   std::unique_ptr<vtkMTClosestPoint> InputSearch;
   std::vector<vtkMTRealPoint> InputPoints; // vertices, then samples
+  std::vector<double> InputSlack;          // of each of them, local units; empty: none has any
+  double LargestSlack = 0.0;               // local units
   std::vector<double> NodeDistances;       // largest sampled, model units; negative where nothing was sampled
   vtkMTVerificationCheck PatchToInput;
   vtkMTVerificationCheck InputToCut;

@@ -1,9 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTSampledSurface.h"
 
+#include "vtkMTGraph.h"
 #include "vtkMTTriangleStream.h"
 
+#include <algorithm>
 #include <cmath>
+
+void vtkMTSampledSurface::LeaveOutFar(const vtkMTGraph& graph)
+{
+  if (graph.InputReport.count("dropped_far_outlier") == 0)
+  {
+    return;
+  }
+  double box[6];
+  graph.GetBounds(box);
+  const double margin = std::max({ box[1] - box[0], box[3] - box[2], box[5] - box[4] });
+  const auto isFar = [&](std::uint32_t p)
+  {
+    const vtkMTRealPoint& x = this->Points[p];
+    return x[0] < box[0] - margin || x[0] > box[1] + margin || x[1] < box[2] - margin || x[1] > box[3] + margin ||
+      x[2] < box[4] - margin || x[2] > box[5] + margin;
+  };
+  std::size_t kept = 0;
+  const std::size_t count = this->Triangles.size();
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    if (std::none_of(this->Triangles[t].begin(), this->Triangles[t].end(), isFar))
+    {
+      this->Triangles[kept] = this->Triangles[t];
+      if (!this->Cells.empty())
+      {
+        this->Cells[kept] = this->Cells[t];
+        this->Slack[kept] = this->Slack[t];
+      }
+      ++kept;
+    }
+  }
+  this->FarOutliers += static_cast<std::int64_t>(count - kept);
+  this->Triangles.resize(kept);
+  this->Cells.resize(std::min(kept, this->Cells.size()));
+  this->Slack.resize(std::min(kept, this->Slack.size()));
+}
 
 vtkMTRealBounds vtkMTSampledSurface::GetBounds() const
 {
@@ -23,6 +61,10 @@ void vtkMTSampledSurface::Transform(const vtkMTMeasuringFrame& frame)
   for (vtkMTRealPoint& point : this->Points)
   {
     point = frame.ToLocal(point);
+  }
+  for (double& slack : this->Slack)
+  {
+    slack *= frame.Scale;
   }
 }
 

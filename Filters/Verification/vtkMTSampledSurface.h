@@ -4,8 +4,7 @@
  * @brief a triangle surface as the verification sees it
  *
  * The verification shares no code with the builder: it has its own surface, sampling and closest point search. What it
- * does share is the definition of the input: a triangle stream has triangulated polygons and strips already, because a
- * bent polygon is no surface before it is known where its diagonals run.
+ * shares with it, where the input is given as a triangle stream, is where the diagonals of polygons run.
  */
 #ifndef vtkMTSampledSurface_h
 #define vtkMTSampledSurface_h
@@ -13,18 +12,22 @@
 #include "vtkMTMeasuringFrame.h"
 #include "vtkMTPatch.h"              // For vtkMTTriangle
 #include "vtkMTVerificationModule.h" // For export macro
+#include "vtkType.h"
 
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+class vtkMTGraph;
 class vtkMTTriangleStream;
 
 struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
 {
   std::vector<vtkMTRealPoint> Points;
   std::vector<vtkMTTriangle> Triangles;
+  std::vector<vtkIdType> Cells; ///< of each triangle, where the surface is made of cells; else empty
+  std::vector<double> Slack;    ///< of each triangle, see vtkMTVerifyPolygons; empty: none has any
   std::int64_t NonFinite = 0;   ///< triangles left out because a corner is NaN or infinite
   std::int64_t OutOfRange = 0;  ///< triangles left out because an index is
   std::int64_t FarOutliers = 0; ///< triangles left out because the model says that it lacks what is so far away
@@ -36,6 +39,10 @@ struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
    * failure.
    */
   bool Read(vtkMTTriangleStream& stream, const std::function<bool()>& goOn, std::string& error);
+
+  /// The builder leaves out what is far outside of everything else, where the graph's input report says so. What that
+  /// is shows here by itself: it lies at least one extent outside of the model.
+  void LeaveOutFar(const vtkMTGraph& graph);
 
   vtkMTRealBounds GetBounds() const;
   void Transform(const vtkMTMeasuringFrame& frame);

@@ -2,9 +2,13 @@
 #include "vtkMTVerification.h"
 
 #include "vtkMTGraph.h"
+#include "vtkMTInputComparison.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTRandomCut.h"
 #include "vtkMTStructureCheck.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 
@@ -12,6 +16,19 @@ namespace
 {
 // Random cuts that are measured against the input, beside one for every level: each costs a search structure.
 constexpr std::size_t MeasuredCutsLimit = 8;
+// Triangles of the input that are looked up one by one in the model.
+constexpr std::size_t ComparedTrianglesLimit = 200000;
+
+std::string Join(const std::vector<vtkMTVerifyInput::Source>& sources)
+{
+  std::string text;
+  for (const vtkMTVerifyInput::Source& source : sources)
+  {
+    text += (text.empty() ? "" : "; ") + source.Path + ": " +
+      (source.Reason.empty() ? "read by " + source.Reader : "not independently checked: " + source.Reason);
+  }
+  return text;
+}
 }
 
 bool vtkMTVerification::Result::IsOk() const
@@ -36,19 +53,19 @@ vtkMTVerificationProgress vtkMTVerification::NextStep()
   { return this->Progress(step, (before + share) / this->Steps); };
 }
 
-bool vtkMTVerification::Run(const InputOpener& openInput, std::string& error)
+bool vtkMTVerification::Run(const Input& input, std::string& error)
 {
   error.clear();
   this->Checked = Result();
   this->Step = 0.0;
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::size_t measuredCuts = std::min(this->Setting.Cuts, MeasuredCutsLimit);
-  this->Steps = openInput ? 3.0 + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
+  this->Steps = !input.IsEmpty() ? 4.0 + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
   if (!this->TestStructure())
   {
     return false;
   }
-  return !openInput || !this->Checked.IsOk() || this->TestErrors(openInput, error);
+  return input.IsEmpty() || !this->Checked.IsOk() || this->TestInput(input, error);
 }
 
 bool vtkMTVerification::TestStructure()
@@ -68,33 +85,98 @@ bool vtkMTVerification::TestStructure()
     this->Source, borders, this->Setting.Cuts, this->Setting.Seed, this->NextStep(), result.Checks, result.Spans);
 }
 
-bool vtkMTVerification::TestErrors(const InputOpener& openInput, std::string& error)
+bool vtkMTVerification::TestInput(const Input& input, std::string& error)
 {
-  const vtkMTGraph& graph = this->Source.GetGraph();
-  if (graph.IsEmpty())
+  if (this->Source.GetGraph().IsEmpty())
   {
     error = this->Source.GetName() + ": the Multi-Triangulation is empty, so it cannot be held against an input";
     return false;
+  }
+  vtkMTSampledSurface surface;
+  return this->ReadInput(input, surface, error) && this->TestErrors(std::move(surface), error);
+}
+
+bool vtkMTVerification::ReadInput(const Input& input, vtkMTSampledSurface& surface, std::string& error)
+{
+  if (input.Mesh)
+  {
+    return this->Compare(input.Mesh, 0.0, surface, error);
+  }
+  if (input.Files.Paths.empty())
+  {
+    return this->OpenInput(input.Open, surface, error);
   }
   const vtkMTVerificationProgress reading = this->NextStep();
   if (!reading("reading the input", 0.0))
   {
     return false;
   }
-  std::unique_ptr<vtkMTTriangleStream> stream = openInput(error);
-  vtkMTSampledSurface input;
+  vtkMTVerificationCheck check("input_reading");
+  vtkNew<vtkPolyData> mesh;
+  double rounding = 0.0;
+  std::vector<vtkMTVerifyInput::Source>& sources = this->Checked.Sources;
+  const bool isRead = vtkMTVerifyInput::Read(input.Files, mesh, sources, rounding);
+  check.Message = Join(sources);
+  check.Tested = isRead ? sources.size() : 0;
+  this->Checked.Checks.push_back(check);
+  if (isRead)
+  {
+    return this->Compare(mesh, rounding, surface, error);
+  }
+  if (!input.Open)
+  {
+    error = check.Message;
+    return false;
+  }
+  return this->OpenInput(input.Open, surface, error);
+}
+
+// An input without a surface is an error, as it is for the builder.
+bool vtkMTVerification::Compare(vtkPolyData* mesh, double rounding, vtkMTSampledSurface& surface, std::string& error)
+{
+  vtkMTInputComparison comparison(this->Source, mesh, rounding, ComparedTrianglesLimit);
+  if (!comparison.Test(this->NextStep(), this->Checked.Checks, error))
+  {
+    return false;
+  }
+  surface = comparison.TakeSurface();
+  if (surface.Triangles.empty())
+  {
+    error =
+      this->Setting.InputName + ": has no triangle with three finite, different corners; name a mesh that has some";
+    return false;
+  }
+  this->Checked.CoordinateAllowance = comparison.GetAllowance();
+  this->Checked.AreaAllowance = comparison.GetInputFigures().AreaAllowance;
+  this->Checked.VolumeAllowance = comparison.GetInputFigures().VolumeAllowance;
+  return true;
+}
+
+bool vtkMTVerification::OpenInput(const InputOpener& open, vtkMTSampledSurface& surface, std::string& error)
+{
+  const vtkMTVerificationProgress reading = this->NextStep();
+  if (!reading("reading the input", 0.0))
+  {
+    return false;
+  }
+  const std::unique_ptr<vtkMTTriangleStream> stream = open(error);
   if (!stream)
   {
     return false;
   }
-  if (!input.Read(
+  if (!surface.Read(
         *stream, [&reading] { return reading("reading the input", 0.5); }, error))
   {
     error.insert(0, error.empty() ? "" : this->Setting.InputName + ": ");
     return false;
   }
-  stream.reset(); // the surface is a copy
-  vtkMTErrorSampling sampling(this->Source, std::move(input), this->Setting.Samples, this->Setting.Seed);
+  return true;
+}
+
+bool vtkMTVerification::TestErrors(vtkMTSampledSurface&& surface, std::string& error)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  vtkMTErrorSampling sampling(this->Source, std::move(surface), this->Setting.Samples, this->Setting.Seed);
   for (std::uint32_t level = graph.GetNumberOfLevels(); level-- > 0;)
   {
     if (!sampling.TestLevel(level, this->NextStep(), error))

@@ -3,9 +3,11 @@
  * @class vtkMTVerification
  * @brief the sequence of checks behind vtkMultiTriangulationVerifier, as plain data in and plain data out
  *
- * First the model by itself (vtkMTStructureCheck). When all of it is sound, and an input is given, the certified errors
- * (vtkMTErrorSampling): for every level, and for some random cuts. A model that is not sound has no cuts and distances
- * that would mean anything, so its input is not even opened.
+ * First the model by itself (vtkMTStructureCheck). When all of it is sound, and an input is given, this is read another
+ * way than the builder's (vtkMTVerifyInput) and held against the finest level (vtkMTInputComparison); then the
+ * certified errors (vtkMTErrorSampling): for every level, and for some random cuts. An input that cannot be read
+ * another way is read by the opener for the errors alone, and the check "input_reading" says so; it has tested nothing
+ * then. A model that is not sound has no cuts and distances that would mean anything, so its input is not even opened.
  */
 #ifndef vtkMTVerification_h
 #define vtkMTVerification_h
@@ -14,6 +16,7 @@
 #include "vtkMTTriangleStream.h"
 #include "vtkMTVerificationCheck.h"
 #include "vtkMTVerificationModule.h" // For export macro
+#include "vtkMTVerifyInput.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +27,7 @@
 #include <vector>
 
 class vtkMTPatchSource;
+class vtkPolyData;
 
 class VTKMTVERIFICATION_EXPORT vtkMTVerification
 {
@@ -39,6 +43,17 @@ public:
     std::string InputName = "the input mesh"; ///< in messages
   };
 
+  /// What the model is held against: a mesh, or files, or what the opener opens; files that cannot be read another way
+  /// than the builder's are left to it too.
+  struct Input
+  {
+    vtkPolyData* Mesh = nullptr;
+    vtkMTVerifyInput::Options Files;
+    InputOpener Open;
+
+    bool IsEmpty() const { return !this->Mesh && this->Files.Paths.empty() && !this->Open; }
+  };
+
   struct Result
   {
     std::vector<vtkMTVerificationCheck> Checks;
@@ -47,6 +62,10 @@ public:
     std::map<std::uint32_t, vtkMTErrorSampling::Tightness> Tightness; ///< by level
     std::uint64_t MeasuredCuts = 0;
     double Tolerance = 0.0;
+    std::vector<vtkMTVerifyInput::Source> Sources; ///< of the input: how each file was read
+    double CoordinateAllowance = 0.0; ///< what coordinates of the finest level may differ by, and what follows from it
+    double AreaAllowance = 0.0;
+    double VolumeAllowance = 0.0;
     std::int64_t NonFinite = 0; ///< triangles of the input that were left out, by reason
     std::int64_t OutOfRange = 0;
     std::int64_t Degenerate = 0;
@@ -58,12 +77,16 @@ public:
   vtkMTVerification(const vtkMTPatchSource& source, const Settings& settings, vtkMTVerificationProgress progress);
 
   /// False when the checks could not be made, which error says, and when progress stopped them; then error is empty.
-  bool Run(const InputOpener& openInput, std::string& error);
+  bool Run(const Input& input, std::string& error);
   const Result& GetResult() const { return this->Checked; }
 
 private:
   bool TestStructure();
-  bool TestErrors(const InputOpener& openInput, std::string& error);
+  bool TestInput(const Input& input, std::string& error);
+  bool ReadInput(const Input& input, vtkMTSampledSurface& surface, std::string& error);
+  bool Compare(vtkPolyData* mesh, double rounding, vtkMTSampledSurface& surface, std::string& error);
+  bool OpenInput(const InputOpener& open, vtkMTSampledSurface& surface, std::string& error);
+  bool TestErrors(vtkMTSampledSurface&& surface, std::string& error);
   vtkMTVerificationProgress NextStep();
 
   const vtkMTPatchSource& Source;

@@ -8,7 +8,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTPolyDataStream.h"
+#include "vtkMTTriangleStream.h"
 #include "vtkMTVerification.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkNew.h"
@@ -17,6 +17,7 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <cmath>
 #include <exception>
 
 vtkStandardNewMacro(vtkMultiTriangulationVerifier);
@@ -93,6 +94,11 @@ void vtkMultiTriangulationVerifier::Clear()
   this->Checks = vtkSmartPointer<vtkTable>::New();
   this->Spans = vtkSmartPointer<vtkTable>::New();
   this->Tightness = vtkSmartPointer<vtkTable>::New();
+  this->InputChecked = false;
+  this->InputReading.clear();
+  this->CoordinateAllowance = 0.0;
+  this->AreaAllowance = 0.0;
+  this->VolumeAllowance = 0.0;
   this->Certified = false;
   this->NumberOfMeasuredCuts = 0;
   this->Tolerance = 0.0;
@@ -102,13 +108,79 @@ void vtkMultiTriangulationVerifier::Clear()
   this->NumberOfFarOutliers = 0;
 }
 
-bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, const InputOpener& openInput)
+void vtkMultiTriangulationVerifier::AddInputFileName(const char* name)
+{
+  if (name && *name)
+  {
+    this->InputFileNames.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkMultiTriangulationVerifier::RemoveAllInputFileNames()
+{
+  if (!this->InputFileNames.empty())
+  {
+    this->InputFileNames.clear();
+    this->Modified();
+  }
+}
+
+int vtkMultiTriangulationVerifier::GetNumberOfInputFileNames() const
+{
+  return static_cast<int>(this->InputFileNames.size());
+}
+
+const char* vtkMultiTriangulationVerifier::GetInputFileName(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfInputFileNames() ? this->InputFileNames[index].c_str() : nullptr;
+}
+
+void vtkMultiTriangulationVerifier::SetInputIsoValue(double value)
+{
+  if (!std::isfinite(value))
+  {
+    vtkErrorMacro("The iso value must be a finite number, not " << value << ".");
+    return;
+  }
+  if (!this->HasInputIsoValue || this->InputIsoValue != value)
+  {
+    this->HasInputIsoValue = true;
+    this->InputIsoValue = value;
+    this->Modified();
+  }
+}
+
+void vtkMultiTriangulationVerifier::ClearInputIsoValue()
+{
+  if (this->HasInputIsoValue)
+  {
+    this->HasInputIsoValue = false;
+    this->Modified();
+  }
+}
+
+void vtkMultiTriangulationVerifier::SetInputVerticalScale(double scale)
+{
+  if (!std::isfinite(scale))
+  {
+    vtkErrorMacro("The vertical scale must be a finite number, not " << scale << ".");
+    return;
+  }
+  if (this->InputVerticalScale != scale)
+  {
+    this->InputVerticalScale = scale;
+    this->Modified();
+  }
+}
+
+bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput)
 {
   vtkMTVerification::Settings settings;
   settings.Cuts = static_cast<std::size_t>(this->NumberOfCuts);
   settings.Samples = static_cast<std::size_t>(this->NumberOfSamples);
   settings.Seed = this->Seed;
-  settings.InputName = this->InputName;
+  settings.InputName = this->InputFileNames.empty() ? this->InputName : this->InputFileNames.front();
   vtkMTVerification verification(source, settings,
     [this](const std::string& step, double share)
     {
@@ -117,7 +189,14 @@ bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, const In
       this->Aborted = vtkMTIsAborted(this);
       return !this->Aborted;
     });
-  if (!verification.Run(openInput, this->ErrorMessage))
+  vtkMTVerification::Input input;
+  input.Mesh = mesh;
+  input.Files.Paths = this->InputFileNames;
+  input.Files.IsoValue = this->HasInputIsoValue ? std::optional<double>(this->InputIsoValue) : std::nullopt;
+  input.Files.VerticalScale = this->InputVerticalScale;
+  input.Files.Degrees = this->InputDegrees;
+  input.Open = openInput;
+  if (!verification.Run(input, this->ErrorMessage))
   {
     return false;
   }
@@ -125,6 +204,14 @@ bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, const In
   FillChecks(result.Checks, this->Checks);
   FillSpans(result.Spans, this->Spans);
   FillTightness(result.Tightness, this->Tightness);
+  for (const vtkMTVerificationCheck& check : result.Checks)
+  {
+    this->InputReading = check.Name == "input_reading" ? check.Message : this->InputReading;
+    this->InputChecked = this->InputChecked || check.Name == "input_arrays"; // the last of those
+  }
+  this->CoordinateAllowance = result.CoordinateAllowance;
+  this->AreaAllowance = result.AreaAllowance;
+  this->VolumeAllowance = result.VolumeAllowance;
   this->Certified = result.IsCertified;
   this->NumberOfMeasuredCuts = static_cast<vtkIdType>(result.MeasuredCuts);
   this->Tolerance = result.Tolerance;
@@ -137,12 +224,18 @@ bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, const In
 
 bool vtkMultiTriangulationVerifier::Verify(const vtkMTPatchSource& source, const InputOpener& openInput)
 {
+  return this->VerifyInput(source, nullptr, openInput);
+}
+
+bool vtkMultiTriangulationVerifier::VerifyInput(
+  const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput)
+{
   this->Clear();
   this->UpdateProgress(0.0);
   bool verified = false;
   try
   {
-    verified = this->Run(source, openInput);
+    verified = this->Run(source, mesh, openInput);
   }
   catch (const std::exception& e)
   {
@@ -214,13 +307,7 @@ int vtkMultiTriangulationVerifier::RequestData(
     vtkErrorMacro("Nothing was verified: " << this->ErrorMessage << ".");
     return 0;
   }
-  vtkPolyData* mesh = vtkPolyData::GetData(inputVector[1]);
-  InputOpener openInput;
-  if (mesh)
-  {
-    openInput = [mesh](std::string&) { return std::make_unique<vtkMTPolyDataStream>(mesh); };
-  }
-  if (!this->Verify(*source, openInput))
+  if (!this->VerifyInput(*source, vtkPolyData::GetData(inputVector[1]), nullptr))
   {
     if (this->Aborted)
     {
@@ -240,6 +327,16 @@ void vtkMultiTriangulationVerifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "InputName: " << this->InputName << "\n";
+  os << indent << "InputFileNames: " << this->InputFileNames.size() << "\n";
+  os << indent << "InputIsoValue: " << (this->HasInputIsoValue ? std::to_string(this->InputIsoValue) : "(none)")
+     << "\n";
+  os << indent << "InputVerticalScale: " << this->InputVerticalScale << "\n";
+  os << indent << "InputDegrees: " << (this->InputDegrees ? "on" : "off") << "\n";
+  os << indent << "InputChecked: " << (this->InputChecked ? "yes" : "no") << "\n";
+  os << indent << "InputReading: " << this->InputReading << "\n";
+  os << indent << "CoordinateAllowance: " << this->CoordinateAllowance << "\n";
+  os << indent << "AreaAllowance: " << this->AreaAllowance << "\n";
+  os << indent << "VolumeAllowance: " << this->VolumeAllowance << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Checks: " << this->Checks->GetNumberOfRows() << "\n";
   os << indent << "Valid: " << (this->IsValid() ? "yes" : "no") << "\n";

@@ -13,8 +13,15 @@
  * cut for every level and for up to eight random cuts. The only allowance is 1e-12 of the model's size for the rounding
  * of coordinates.
  *
- * It is independent of the builder: it has its own surface, sampling and closest point search, and knows the model
- * through vtkMTPatchSource alone.
+ * It is independent of the builder: it has its own surface, sampling and closest point search, its own readers of the
+ * input's files, and knows the model through vtkMTPatchSource alone. Files (AddInputFileName) are read by VTK's readers
+ * of VTK's formats and by small ones that follow the formats' specifications; "input_reading" says by which. Then, and
+ * for a mesh on port 1, the finest level is held against the input: "input_triangles" (their number, with what the
+ * input report counts as dropped), "input_bounds", "input_area", "input_volume" (signed), "input_orientation" (each
+ * triangle has its counterpart, turned the same way) "input_arrays" (names, values, ranges, sets of labels) and
+ * "labels" (coarse levels hold no others). What may differ follows from the lattice (GetCoordinateAllowance). Files
+ * that cannot be read another way than the builder's are not checked so: "input_reading" has tested nothing and says
+ * why, GetInputChecked is false, and IsValid says no more than that nothing wrong was found.
  *
  * As a filter it takes a vtkMultiTriangulation on port 0 and, optionally, the input mesh as vtkPolyData on port 1, and
  * gives a vtkTable with a row for each check and the columns "name" (string), "tested" and "violations" (counts),
@@ -36,9 +43,11 @@
 #include <functional> // For the input's opener
 #include <memory>     // For members
 #include <string>     // For members
+#include <vector>     // For members
 
 class vtkMTPatchSource;
 class vtkMTTriangleStream;
+class vtkPolyData;
 class vtkTable;
 
 class VTKMTVERIFICATION_EXPORT vtkMultiTriangulationVerifier : public vtkTableAlgorithm
@@ -68,7 +77,26 @@ public:
   ///@}
 
   ///@{
-  /// What messages call the input, such as a file name. Default: "the input mesh".
+  /**
+   * The files that the model was built from, in the same order, and how they were to be taken: the iso value of volumes
+   * (default: none), the vertical scale (default 1) and degrees (default off) of terrain. Numbers that are not finite
+   * are an error and change nothing.
+   */
+  void AddInputFileName(const char* name);
+  void RemoveAllInputFileNames();
+  int GetNumberOfInputFileNames() const;
+  const char* GetInputFileName(int index) const; ///< null when there is none
+  void SetInputIsoValue(double value);
+  void ClearInputIsoValue();
+  void SetInputVerticalScale(double scale);
+  vtkGetMacro(InputVerticalScale, double);
+  vtkSetMacro(InputDegrees, bool);
+  vtkGetMacro(InputDegrees, bool);
+  ///@}
+
+  ///@{
+  /// What messages call the input, such as a file name. Default: "the input mesh"; the first input file's name where
+  /// there is one.
   vtkSetStdStringFromCharMacro(InputName);
   vtkGetCharFromStdStringMacro(InputName);
   ///@}
@@ -79,7 +107,8 @@ public:
   using InputOpener = std::function<std::unique_ptr<vtkMTTriangleStream>(std::string& error)>;
 
   /**
-   * Verifies without a pipeline; no openInput: without an input. False when the checks could not be made or were
+   * Verifies without a pipeline. openInput is asked where there are no input files, and where these cannot be read
+   * independently; with neither it verifies without an input. False when the checks could not be made or were
    * aborted; then ErrorCode and ErrorMessage say why, and there are no checks. Progress events and AbortExecute work as
    * in the filter; GetProgressText says what is being done.
    */
@@ -97,6 +126,14 @@ public:
   vtkTable* GetChecks();
   /// How many of the random cuts span how many levels: columns "levels" and "cuts".
   vtkTable* GetSpans();
+  /// Whether all of the input was read independently, or given as a mesh, and held against the finest level.
+  vtkGetMacro(InputChecked, bool);
+  /// How the input's files were read: "scan.ply: read by vtkMTVerifyPlyInput", or "not independently checked" and why.
+  vtkGetMacro(InputReading, std::string);
+  /// What coordinates, area and signed volume of the finest level may differ by from the input's, model units.
+  vtkGetMacro(CoordinateAllowance, double);
+  vtkGetMacro(AreaAllowance, double);
+  vtkGetMacro(VolumeAllowance, double);
   /// Whether the errors were tested against an input.
   vtkGetMacro(Certified, bool);
   /**
@@ -132,7 +169,8 @@ private:
   void operator=(const vtkMultiTriangulationVerifier&) = delete;
 
 #ifndef __VTK_WRAP__
-  bool Run(const vtkMTPatchSource& source, const InputOpener& openInput);
+  bool Run(const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput);
+  bool VerifyInput(const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput);
 #endif
   void Clear();
 
@@ -140,6 +178,16 @@ private:
   int NumberOfSamples = 500000;
   unsigned int Seed = 1;
   std::string InputName = "the input mesh";
+  std::vector<std::string> InputFileNames;
+  double InputIsoValue = 0.0;
+  bool HasInputIsoValue = false;
+  double InputVerticalScale = 1.0;
+  bool InputDegrees = false;
+  bool InputChecked = false;
+  std::string InputReading;
+  double CoordinateAllowance = 0.0;
+  double AreaAllowance = 0.0;
+  double VolumeAllowance = 0.0;
   std::string ErrorMessage;
   bool Aborted = false;
   vtkSmartPointer<vtkTable> Checks; // never null

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <fstream>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -52,5 +53,14 @@ bool WriteAll(int descriptor, const void* data, std::size_t size)
     size -= static_cast<std::size_t>(written);
   }
   return true;
+}
+
+std::uint64_t GetMachineMemory()
+{
+  const auto pages = static_cast<std::uint64_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
+  const std::uint64_t machine = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  std::ifstream file("/sys/fs/cgroup/memory.max"); // "max" where there is no limit
+  std::uint64_t group = 0;
+  return file >> group && group > 0 ? std::min(machine, group) : machine;
 }
 }

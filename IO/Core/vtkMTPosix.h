@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the toolkit's writers share of the operating system's calls. Not installed.
+// What the toolkit shares of the operating system's calls. Not installed.
 #ifndef vtkMTPosix_h
 #define vtkMTPosix_h
 
 #include "vtkMTIOCoreModule.h" // For export macro
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace vtkMTPosix
@@ -17,6 +18,9 @@ VTKMTIOCORE_EXPORT int CreateUnique(const std::string& prefix, std::string& name
 
 /// All bytes at the file's position; false and errno on failure.
 VTKMTIOCORE_EXPORT bool WriteAll(int descriptor, const void* data, std::size_t size);
+
+/// Bytes of the machine's memory, or of what the control group leaves of it.
+VTKMTIOCORE_EXPORT std::uint64_t GetMachineMemory();
 }
 
 #endif

@@ -88,6 +88,7 @@ bool vtkMTHeightTile::ReadSrtm(std::string& error)
     error = "the name does not say the south-west corner; rename it as in N36W005.hgt";
     return false;
   }
+  this->Crs = "EPSG:4326";
   this->South = std::stoi(match[2]) * (std::toupper(match[1].str()[0]) == 'S' ? -1 : 1);
   this->West = std::stoi(match[4]) * (std::toupper(match[3].str()[0]) == 'W' ? -1 : 1);
   constexpr std::size_t largest = 10801; // a third of an arc second

@@ -11,6 +11,7 @@ struct vtkMTHeightTile
 {
   std::string Path;
   bool IsGeographic = true; ///< places in degrees; otherwise in metres of some projection
+  std::string Crs;          ///< its coordinates' reference system ("EPSG:32610", WKT); empty where it is not known
   double West = 0.0;        ///< of the first sample in a row
   double South = 0.0;       ///< of the first row
   double StepX = 1.0;

@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -17,7 +18,25 @@
 
 namespace
 {
-using Place = std::array<double, 3>;
+using Place = vtkMTVolumePlace::Vector;
+
+void Contour(vtkImageData* slab, double value, bool gradientNormals, vtkPolyData* mesh)
+{
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(slab);
+  contour->SetValue(0, value);
+  contour->SetComputeNormals(gradientNormals);
+  contour->ComputeGradientsOff();
+  contour->ComputeScalarsOff();
+  contour->Update();
+  mesh->ShallowCopy(contour->GetOutput());
+}
+
+std::string DescribeNone(double value, double least, double most)
+{
+  return "has no isosurface at " + std::to_string(value) + ": its values are between " + std::to_string(least) +
+    " and " + std::to_string(most);
+}
 
 // A point with its index in the whole isosurface; by place, of equal ones by index.
 struct KnownPoint
@@ -50,6 +69,8 @@ public:
     : Volume(std::move(volume))
     , Value(value)
     , Extent(this->Volume->GetExtent())
+    , IsTurned(this->Volume->GetPlace().IsLeftHanded())
+    , Report(this->Volume->GetReport())
   {
     const std::uint64_t slice = std::uint64_t(this->Extent[1] - this->Extent[0] + 1) *
       static_cast<std::uint64_t>(this->Extent[3] - this->Extent[2] + 1);
@@ -69,10 +90,13 @@ public:
     }
     this->Points = walk.Points;
     this->Triangles = walk.Triangles;
+    if (this->IsTurned)
+    {
+      this->Report["turned_triangles"] = static_cast<std::int64_t>(this->Triangles);
+    }
     if (this->Triangles == 0)
     {
-      this->Error = "has no isosurface at " + std::to_string(this->Value) + ": its values are between " +
-        std::to_string(this->Range[0]) + " and " + std::to_string(this->Range[1]);
+      this->Error = DescribeNone(this->Value, this->Range[0], this->Range[1]);
     }
     return this->Triangles > 0;
   }
@@ -163,20 +187,15 @@ private:
     double range[2];
     slab->GetPointData()->GetScalars()->GetRange(range, 0);
     this->Range = { std::min(this->Range[0], range[0]), std::max(this->Range[1], range[1]) };
-    vtkNew<vtkFlyingEdges3D> contour;
-    contour->SetInputData(slab);
-    contour->SetValue(0, this->Value);
-    contour->ComputeNormalsOff();
-    contour->ComputeGradientsOff();
-    contour->ComputeScalarsOff();
-    contour->Update();
-    this->Take(contour->GetOutput(), slab, { first, last }, walk);
+    vtkNew<vtkPolyData> mesh;
+    ::Contour(slab, this->Value, false, mesh);
+    this->Take(mesh, { first, last }, walk);
     walk.NextSlice = last;
     return true;
   }
 
   // Numbers the slab's points and takes its triangles.
-  static void Take(vtkPolyData* mesh, vtkImageData* slab, const std::array<int, 2>& slices, Walk& walk)
+  void Take(vtkPolyData* mesh, const std::array<int, 2>& slices, Walk& walk) const
   {
     std::vector<std::uint64_t> index(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
     std::vector<KnownPoint> face;
@@ -185,15 +204,13 @@ private:
     {
       Place at;
       mesh->GetPoint(static_cast<vtkIdType>(p), at.data());
-      double place[3];
-      slab->TransformPhysicalPointToContinuousIndex(at.data(), place);
-      index[p] = std::abs(place[2] - slices[0]) < 0.5 ? FindKnown(walk.Face, at) : None;
+      index[p] = at[2] == slices[0] ? FindKnown(walk.Face, at) : None;
       if (index[p] == None)
       {
         index[p] = walk.Points++;
-        walk.NewPoints.push_back(at);
+        walk.NewPoints.push_back(this->Volume->GetPlace().ToWorld(at));
       }
-      if (std::abs(place[2] - slices[1]) < 0.5)
+      if (at[2] == slices[1])
       {
         face.push_back({ at, index[p] });
       }
@@ -206,7 +223,7 @@ private:
     {
       mesh->GetPolys()->GetCellAtId(t, corners);
       const auto get = [&](vtkIdType c) { return index[static_cast<std::size_t>(corners->GetId(c))]; };
-      walk.Corners.push_back({ get(0), get(1), get(2) });
+      walk.Corners.push_back({ get(0), get(this->IsTurned ? 2 : 1), get(this->IsTurned ? 1 : 2) });
     }
     walk.Triangles += walk.Corners.size();
   }
@@ -222,10 +239,11 @@ private:
   std::unique_ptr<vtkMTVolumeSlabs> Volume;
   double Value;
   std::array<int, 6> Extent;
+  bool IsTurned;
+  std::map<std::string, std::int64_t> Report;
   std::array<double, 2> Range{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
   int SlabSlices = 1;
   std::vector<vtkMTArrayInfo> Arrays;
-  std::map<std::string, std::int64_t> Report;
   std::uint64_t Points = 0;
   std::uint64_t Triangles = 0;
   Walk OfPoints;
@@ -243,4 +261,57 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTIsosurfaceStream::Open(
     return nullptr;
   }
   return stream;
+}
+
+namespace
+{
+void TakeToWorld(const vtkMTVolumePlace& place, vtkPolyData* mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  points->SetNumberOfPoints(mesh->GetNumberOfPoints());
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    Place at;
+    mesh->GetPoint(p, at.data());
+    points->SetPoint(p, place.ToWorld(at).data());
+    if (normals)
+    {
+      normals->GetTuple(p, at.data());
+      normals->SetTuple(p, place.TurnNormal(at).data());
+    }
+  }
+  mesh->SetPoints(points);
+  for (vtkIdType t = 0; place.IsLeftHanded() && t < mesh->GetNumberOfPolys(); ++t)
+  {
+    vtkIdType corners[3];
+    vtkIdType size = 0;
+    const vtkIdType* there = nullptr;
+    mesh->GetPolys()->GetCellAtId(t, size, there);
+    std::copy_n(there, 3, corners);
+    std::swap(corners[1], corners[2]);
+    mesh->GetPolys()->ReplaceCellAtId(t, 3, corners);
+  }
+}
+}
+
+bool vtkMTIsosurfaceStream::Make(
+  vtkMTVolumeSlabs& volume, double value, bool gradientNormals, vtkPolyData* output, std::string& error)
+{
+  vtkNew<vtkImageData> all;
+  if (!volume.Read(volume.GetExtent()[4], volume.GetExtent()[5], all, error))
+  {
+    return false;
+  }
+  ::Contour(all, value, gradientNormals, output);
+  if (output->GetNumberOfPolys() == 0)
+  {
+    double range[2];
+    all->GetPointData()->GetScalars()->GetRange(range, 0);
+    error = DescribeNone(value, range[0], range[1]);
+    return false;
+  }
+  TakeToWorld(volume.GetPlace(), output);
+  return true;
 }

@@ -4,29 +4,19 @@
 #define vtkMTIsosurfaceStream_h
 
 #include "vtkMTTriangleStream.h"
+#include "vtkMTVolumeSlabs.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 
-class vtkImageData;
-
-/// A volume of which slabs can be had, as often as they are asked for.
-class vtkMTVolumeSlabs
-{
-public:
-  virtual ~vtkMTVolumeSlabs() = default;
-  /// VTK's extent of the whole volume, with two slices or more.
-  virtual std::array<int, 6> GetExtent() const = 0;
-  /// Slices first to last, with active scalars. False on failure, with a message in error.
-  virtual bool Read(int first, int last, vtkImageData* slab, std::string& error) = 0;
-};
+class vtkPolyData;
 
 /**
- * Slabs have the slice in which they meet in common, and the points in it by equal coordinates, so the triangles are
- * those of the whole volume's contour, in the same order. Memory is that of one slab beside what the volume itself
- * takes. Every slab is contoured three times: for the counts, the points and the triangles.
+ * Every slab is contoured among indices. Slabs have the slice in which they meet in common, and the points in it by
+ * equal places there, so the triangles are those of the whole volume's contour, in the same order. Points go to the
+ * world by the volume's place; where that is left-handed, triangles are reversed. Memory is that of one slab beside
+ * what the volume itself takes. Every slab is contoured three times: for the counts, the points and the triangles.
  */
 namespace vtkMTIsosurfaceStream
 {
@@ -35,6 +25,9 @@ constexpr std::uint64_t SamplesPerSlab = std::uint64_t(1) << 22;
 /// Null on failure, with a message in error; a volume without that isosurface is one.
 std::unique_ptr<vtkMTTriangleStream> Open(std::unique_ptr<vtkMTVolumeSlabs> volume, double value, std::string& error,
   std::uint64_t samplesPerSlab = SamplesPerSlab);
+
+/// All of it at once, from one slab of all slices; gradient normals are float point normals. The same errors.
+bool Make(vtkMTVolumeSlabs& volume, double value, bool gradientNormals, vtkPolyData* output, std::string& error);
 }
 
 #endif

@@ -22,6 +22,68 @@ constexpr double Slack = 0.01;
 
 // How far tiles may be apart, in steps: more than once around the Earth at a third of an arc second.
 constexpr double Farthest = 4.0e6;
+
+// Finds the tile's place on the grid of the first one.
+bool Place(const vtkMTHeightTile& first, vtkMTTerrainTiles::Placed& placed, std::string& error)
+{
+  const vtkMTHeightTile& tile = placed.Tile;
+  const double column = (tile.West - first.West) / first.StepX;
+  const double row = (tile.South - first.South) / first.StepY;
+  const double drift = std::max(std::abs(tile.StepX / first.StepX - 1.0) * static_cast<double>(tile.Columns),
+    std::abs(tile.StepY / first.StepY - 1.0) * static_cast<double>(tile.Rows));
+  const bool isOnGrid = std::max(std::abs(column - std::round(column)), std::abs(row - std::round(row))) < Slack &&
+    std::max(std::abs(column), std::abs(row)) < Farthest;
+  const bool isCode = tile.Crs.rfind("EPSG:", 0) == 0 && first.Crs.rfind("EPSG:", 0) == 0;
+  if (tile.IsGeographic != first.IsGeographic || (isCode && tile.Crs != first.Crs))
+  {
+    error = "its coordinates are of another reference system than those of " + first.Path + "; warp it (gdalwarp)";
+    return false;
+  }
+  if (!(drift < Slack) || !isOnGrid)
+  {
+    error = "its samples do not lie on the grid of " + first.Path +
+      "; tiles of one terrain have one spacing and one origin: build them as models of their own, or resample them";
+    return false;
+  }
+  placed.Column = static_cast<std::int64_t>(std::llround(column));
+  placed.Row = static_cast<std::int64_t>(std::llround(row));
+  return true;
+}
+
+// Longitudes go round: tiles on both sides of the 180th meridian are neighbours. The grid begins behind the widest gap
+// between them.
+void CloseCircle(std::vector<vtkMTTerrainTiles::Placed>& tiles)
+{
+  const double round = 360.0 / tiles.front().Tile.StepX;
+  if (!tiles.front().Tile.IsGeographic || std::abs(round - std::round(round)) >= Slack)
+  {
+    return;
+  }
+  const auto period = static_cast<std::int64_t>(std::llround(round));
+  std::vector<std::array<std::int64_t, 2>> ranges; // the first column, and that behind the last
+  for (const vtkMTTerrainTiles::Placed& placed : tiles)
+  {
+    ranges.push_back({ placed.Column, placed.Column + static_cast<std::int64_t>(placed.Tile.Columns) });
+  }
+  std::sort(ranges.begin(), ranges.end());
+  std::int64_t widest = 0;
+  std::int64_t begin = ranges.front()[0]; // of what is east of the widest gap
+  std::int64_t end = ranges.front()[1];
+  for (const auto& range : ranges)
+  {
+    if (range[0] - end > widest)
+    {
+      widest = range[0] - end;
+      begin = range[0];
+    }
+    end = std::max(end, range[1]);
+  }
+  const bool isTorn = widest > ranges.front()[0] + period - end;
+  for (vtkMTTerrainTiles::Placed& placed : tiles)
+  {
+    placed.Column += isTorn && placed.Column < begin ? period : 0;
+  }
+}
 }
 
 struct vtkMTTerrain::Internals
@@ -54,23 +116,10 @@ bool vtkMTTerrain::AddTile(const std::string& path, std::string& error)
       error = path + ": " + reason;
       return false;
     }
-    if (!tiles.All.empty())
+    if (!tiles.All.empty() && !Place(tiles.All.front().Tile, placed, reason))
     {
-      const vtkMTHeightTile& first = tiles.All.front().Tile;
-      const double column = (tile.West - first.West) / first.StepX;
-      const double row = (tile.South - first.South) / first.StepY;
-      const double drift = std::max(std::abs(tile.StepX / first.StepX - 1.0) * static_cast<double>(tile.Columns),
-        std::abs(tile.StepY / first.StepY - 1.0) * static_cast<double>(tile.Rows));
-      const bool isOnGrid = std::max(std::abs(column - std::round(column)), std::abs(row - std::round(row))) < Slack &&
-        std::max(std::abs(column), std::abs(row)) < Farthest;
-      if (tile.IsGeographic != first.IsGeographic || !(drift < Slack) || !isOnGrid)
-      {
-        error = path + ": its samples do not lie on the grid of " + first.Path +
-          "; tiles of one terrain have one spacing and one origin: build them as models of their own, or resample them";
-        return false;
-      }
-      placed.Column = static_cast<std::int64_t>(std::llround(column));
-      placed.Row = static_cast<std::int64_t>(std::llround(row));
+      error = path + ": " + reason;
+      return false;
     }
     if (this->Store && !this->PutHeights(placed.Tile.Heights, placed.FirstByte, error))
     {
@@ -106,6 +155,7 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTTerrain::MakeStream(std::string& error
   }
   try
   {
+    CloseCircle(tiles->All);
     auto stream = vtkMTTerrainStream::Open(tiles, this->VerticalScale, this->Degrees, error);
     if (!stream || stream->GetNumberOfTriangles() > 0)
     {
@@ -118,6 +168,12 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTTerrain::MakeStream(std::string& error
     error = std::string("the terrain could not be made: ") + exception.what();
   }
   return nullptr;
+}
+
+vtkMTWorldFrame vtkMTTerrain::GetFrame() const
+{
+  const vtkMTTerrainTiles& tiles = *this->Implementation->AllTiles;
+  return tiles.All.empty() ? vtkMTWorldFrame() : vtkMTTerrainStream::GetFrame(tiles, this->Degrees);
 }
 
 namespace

@@ -5,15 +5,22 @@
  *
  * Tiles: SRTM (.hgt, .hgt.gz; of any size, 1201 x 1201 and 3601 x 3601 as a rule; the south-west corner is in the name,
  * as in N36W005.hgt; -32768 is a void), USGS DEM (.dem, ASCII) and, where GDAL was found when the toolkit was
- * configured, GeoTIFF (.tif, .tiff; the first band, no-data values are voids). All tiles of one terrain have the same
- * spacing and lie on one grid: samples that two tiles share, at their border or where they overlap, are one point. Of
- * several heights at one place the first that is no void counts, in the order in which the tiles were added; the others
- * are counted where they differ ("terrain_disagreeing_samples"). Tiles need not touch. (DEM files are not read by
- * vtkDEMReader: VTK 9.1's writes beyond its memory where a file is damaged, puts all profiles at the first row, and
- * takes the lowest height for a void.)
+ * configured, GeoTIFF (.tif, .tiff; the first band; samples that equal the no-data value or are masked are voids; the
+ * band's scale and offset are applied). Samples of GeoTIFF are at the middle of their pixels where pixels are areas,
+ * and at the places that the file gives where they are points. (DEM files are not read by vtkDEMReader: VTK 9.1's
+ * writes beyond its memory where a file is damaged, puts all profiles at the first row, and takes the lowest height for
+ * a void.)
  *
- * Two triangles to a square of four samples; where one sample is void, one triangle; none where two are
- * ("terrain_voids" counts void samples).
+ * All tiles of one terrain have one spacing and one reference system and lie on one grid, to 1/100 of a step: what does
+ * not is refused. Samples that two tiles share, at their border or where they overlap, are one point. Of several
+ * heights at one place the first that is no void counts, in the order in which the tiles were added; the others are
+ * counted where they differ ("terrain_disagreeing_samples"). Tiles of which one begins a step behind the other's last
+ * samples, as those of areas do, are joined. Places between two tiles, in their row or in their column, that no tile
+ * covers are counted ("terrain_gap_samples"). Geographic tiles on both sides of the 180th meridian are neighbours;
+ * longitudes then go on beyond 180.
+ *
+ * Two triangles to a square of four samples that tiles have; where one sample is void, one triangle; none where two are
+ * ("terrain_voids" counts void samples). Triangles are counterclockwise from above.
  *
  * Coordinates. Geographic tiles give metres, in a local equirectangular frame about the middle (lon0, lat0) of the box
  * of all tiles, on a sphere of the Earth's mean radius R = 6371008.8 m:
@@ -27,6 +34,7 @@
 #define vtkMTTerrain_h
 
 #include "vtkMTIOImageModule.h" // For export macro
+#include "vtkMTWorldFrame.h"
 
 #include <cstdint>
 #include <map>
@@ -65,6 +73,9 @@ public:
 
   /// All of it as a mesh. False, with the reason in error, and an empty output in the same cases.
   bool Make(vtkPolyData* output, std::string& error);
+
+  /// In which the points of the tiles so far are: a PROJ string of the equation above, or the tiles' own system.
+  vtkMTWorldFrame GetFrame() const;
 
   /// Of the last Make: what is counted above, and "terrain_tiles".
   const std::map<std::string, std::int64_t>& GetReport() const { return this->Report; }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -67,13 +68,49 @@ struct Frame
 struct GridRow
 {
   std::vector<float> Heights;
-  std::vector<std::int64_t> Points; // -1 where there is a void or no tile
+  std::vector<std::int64_t> Points;   // -1 where there is a void or no tile
+  std::vector<unsigned char> Covered; // 1 where some tile has a sample, void or not
 
   void Clear(std::size_t columns)
   {
     this->Heights.assign(columns, std::numeric_limits<float>::quiet_NaN());
     this->Points.assign(columns, -1);
+    this->Covered.assign(columns, 0);
   }
+};
+
+// Counts places of the grid that no tile covers, between two tiles in their row or in their column.
+class GapCount
+{
+public:
+  void Add(const std::vector<unsigned char>& covered)
+  {
+    this->Waiting.resize(covered.size(), -1);
+    const auto begin = std::find(covered.begin(), covered.end(), 1);
+    const auto end = std::find(covered.rbegin(), covered.rend(), 1).base();
+    for (auto at = covered.begin(); at != covered.end(); ++at)
+    {
+      std::int64_t& waiting = this->Waiting[static_cast<std::size_t>(at - covered.begin())];
+      if (*at)
+      {
+        this->Count += std::max<std::int64_t>(waiting, 0);
+        waiting = 0;
+      }
+      else if (begin < at && at < end)
+      {
+        ++this->Count;
+      }
+      else
+      {
+        waiting += waiting >= 0 ? 1 : 0;
+      }
+    }
+  }
+
+  std::int64_t Count = 0;
+
+private:
+  std::vector<std::int64_t> Waiting; // in each column, since its last tile; -1 before the first
 };
 
 //------------------------------------------------------------------------------
@@ -103,12 +140,10 @@ public:
     ++this->Row;
     std::swap(this->South, this->North);
     this->North.Clear(this->Grid.Columns);
-    std::vector<unsigned char> covered(this->Grid.Columns, 0);
-    this->Squares.assign(this->Grid.Columns, 0);
     for (const vtkMTTerrainTiles::Placed& placed : this->AllTiles.All)
     {
       if (this->Row >= placed.Row && this->Row < placed.Row + static_cast<std::int64_t>(placed.Tile.Rows) &&
-        !this->AddSamples(placed, covered, error))
+        !this->AddSamples(placed, error))
       {
         return false;
       }
@@ -116,14 +151,14 @@ public:
     for (std::size_t i = 0; i < this->Grid.Columns; ++i)
     {
       const bool isVoid = std::isnan(this->North.Heights[i]);
-      this->Voids += covered[i] && isVoid ? 1 : 0;
+      this->Voids += this->North.Covered[i] && isVoid ? 1 : 0;
       this->North.Points[i] = isVoid ? -1 : this->Points++;
     }
     return true;
   }
 
-  // Between the row before and this one. Where some tile has the square: three tiles that meet make no triangle at the
-  // place of the fourth.
+  // Between the row before and this one. Where tiles have all four samples of the square, be it one tile or several
+  // that meet there: three tiles make no triangle at the place of the fourth.
   template <typename Use>
   void ForEachTriangle(Use&& use) const
   {
@@ -134,9 +169,11 @@ public:
         use(a, b, c);
       }
     };
+    const std::vector<unsigned char>& south = this->South.Covered;
+    const std::vector<unsigned char>& north = this->North.Covered;
     for (std::size_t i = 0; i + 1 < this->Grid.Columns; ++i)
     {
-      if (this->Squares[i])
+      if (south[i] & south[i + 1] & north[i] & north[i + 1])
       {
         const std::int64_t a = this->South.Points[i], b = this->South.Points[i + 1];
         const std::int64_t c = this->North.Points[i + 1], d = this->North.Points[i];
@@ -155,7 +192,7 @@ public:
   std::int64_t Disagreeing = 0;
 
 private:
-  bool AddSamples(const vtkMTTerrainTiles::Placed& placed, std::vector<unsigned char>& covered, std::string& error)
+  bool AddSamples(const vtkMTTerrainTiles::Placed& placed, std::string& error)
   {
     const auto first = static_cast<std::size_t>(placed.Column - this->Grid.Begin[0]);
     const auto tileRow = static_cast<std::size_t>(this->Row - placed.Row);
@@ -163,7 +200,7 @@ private:
     for (std::size_t i = 0; heights && i < placed.Tile.Columns; ++i)
     {
       float& height = this->North.Heights[first + i];
-      covered[first + i] = 1;
+      this->North.Covered[first + i] = 1;
       if (std::isnan(height))
       {
         height = heights[i];
@@ -173,17 +210,12 @@ private:
         ++this->Disagreeing;
       }
     }
-    if (tileRow > 0)
-    {
-      std::fill_n(this->Squares.begin() + static_cast<std::ptrdiff_t>(first), placed.Tile.Columns - 1, 1);
-    }
     return heights != nullptr;
   }
 
   const vtkMTTerrainTiles& AllTiles;
   const Frame& Grid;
   GridRow South;
-  std::vector<unsigned char> Squares;
   std::vector<float> Buffer;
 };
 
@@ -204,6 +236,7 @@ public:
   bool Open()
   {
     Walk walk(*this->AllTiles, this->Grid);
+    GapCount gaps;
     walk.Begin();
     while (!walk.IsAtEnd())
     {
@@ -212,11 +245,13 @@ public:
         return false;
       }
       walk.ForEachTriangle([this](std::int64_t, std::int64_t, std::int64_t) { ++this->Triangles; });
+      gaps.Add(walk.North.Covered);
     }
     this->Points = static_cast<std::uint64_t>(walk.Points);
     this->Report["terrain_tiles"] = static_cast<std::int64_t>(this->AllTiles->All.size());
     this->Report["terrain_voids"] = walk.Voids;
     this->Report["terrain_disagreeing_samples"] = walk.Disagreeing;
+    this->Report["terrain_gap_samples"] = gaps.Count;
     return this->Rewind();
   }
 
@@ -310,4 +345,23 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTTerrainStream::Open(
   const bool isOpen = stream->Open();
   error = isOpen ? error : stream->GetError();
   return isOpen ? std::move(stream) : nullptr;
+}
+
+vtkMTWorldFrame vtkMTTerrainStream::GetFrame(const vtkMTTerrainTiles& tiles, bool degrees)
+{
+  const vtkMTHeightTile& first = tiles.All.front().Tile;
+  if (!first.IsGeographic)
+  {
+    return { first.Crs, "m" };
+  }
+  if (degrees)
+  {
+    return { first.Crs, "degree, degree, m" };
+  }
+  const Frame frame(tiles.All, degrees);
+  std::ostringstream text;
+  text.precision(17);
+  text << "+proj=eqc +lat_ts=" << frame.Middle[1] << " +lat_0=" << frame.Middle[1] << " +lon_0=" << frame.Middle[0]
+       << " +R=" << EarthRadius << " +units=m +no_defs";
+  return { text.str(), "m" };
 }

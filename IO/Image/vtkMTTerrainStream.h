@@ -6,6 +6,7 @@
 #include "vtkMTHeightTile.h"
 #include "vtkMTSpool.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMTWorldFrame.h"
 
 #include <cstdint>
 #include <memory>
@@ -34,6 +35,8 @@ namespace vtkMTTerrainStream
 /// What vtkMTTerrain says. Walks once over everything; null on failure, with a message in error.
 std::unique_ptr<vtkMTTriangleStream> Open(
   std::shared_ptr<const vtkMTTerrainTiles> tiles, double verticalScale, bool degrees, std::string& error);
+/// In which its points are.
+vtkMTWorldFrame GetFrame(const vtkMTTerrainTiles& tiles, bool degrees);
 }
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTVolumeFormat.h"
 
-#include "vtkMTByteSource.h"
 #include "vtkMTErrorCollector.h"
 #include "vtkMTTextFormat.h"
 
@@ -9,10 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkMetaImageReader.h"
-#include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
-#include "vtkNrrdReader.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredPointsReader.h"
@@ -50,46 +46,18 @@ vtkSmartPointer<vtkAlgorithm> vtkMTVolumeFormat::MakeReader(const std::string& p
     reader->SetParserErrorObserver(errors.GetCommand());
     return named(reader);
   }
-  if (ending == "mhd" || ending == "mha")
-  {
-    return named(vtkSmartPointer<vtkMetaImageReader>::New());
-  }
-  if (ending == "nrrd" || ending == "nhdr")
-  {
-    return named(vtkSmartPointer<vtkNrrdReader>::New());
-  }
-  if (ending == "nii" || ending == "nii.gz")
-  {
-    return named(vtkSmartPointer<vtkNIFTIImageReader>::New());
-  }
   return named(vtkSmartPointer<vtkStructuredPointsReader>::New());
-}
-
-bool vtkMTVolumeFormat::IsNrrd(const std::string& path)
-{
-  const std::string ending = GetEnding(path);
-  return ending == "nrrd" || ending == "nhdr";
 }
 
 namespace
 {
-// The data of these lie in other files, whose sizes the header does not bound.
-bool HasDetachedData(const std::string& path)
-{
-  const std::string ending = vtkMTVolumeFormat::GetEnding(path);
-  return ending == "mhd" || ending == "nhdr";
-}
-
-// No compression that the format knows makes a sample smaller than this: deflate's best is 1032 to 1, that of LZMA,
-// which .vti may have, 273 bytes in less than half a bit.
-double GetMostSamplesPerByte(const std::string& path)
-{
-  return vtkMTVolumeFormat::GetEnding(path) == "vti" ? 8192.0 : 1100.0;
-}
+// No compression that the format knows makes a sample smaller than this: LZMA, which .vti may have, packs 273 bytes
+// into less than half a bit.
+constexpr double MostSamplesPerByte = 8192.0;
 }
 
 // What the header says, before memory is asked for.
-bool vtkMTVolumeFormat::CheckExtent(vtkAlgorithm* reader, const std::string& path, double bytes, std::string& error)
+bool vtkMTVolumeFormat::CheckExtent(vtkAlgorithm* reader, double bytes, std::string& error)
 {
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
@@ -105,7 +73,7 @@ bool vtkMTVolumeFormat::CheckExtent(vtkAlgorithm* reader, const std::string& pat
     }
     samples *= size;
   }
-  if (!HasDetachedData(path) && samples > GetMostSamplesPerByte(path) * bytes)
+  if (samples > MostSamplesPerByte * bytes)
   {
     error = "claims more samples than its bytes can hold: it is damaged";
     return false;
@@ -130,32 +98,4 @@ bool vtkMTVolumeFormat::UseScalars(vtkImageData* volume, std::string& error)
     return false;
   }
   return true;
-}
-
-// vtkNrrdReader of VTK 9.1 never ends on a header that does not: "NRRD", lines with a colon or comments, a blank line.
-bool vtkMTVolumeFormat::CheckNrrd(const vtkMTByteSource& source, std::string& error)
-{
-  const bool isDetached = vtkMTTextFormat::GetLowerCaseEnding(source.GetName()) == "nhdr";
-  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(source.GetSize(), 1 << 20)), ' ');
-  if (!source.Read(0, text.size(), text.data(), error))
-  {
-    return false;
-  }
-  bool good = text.rfind("NRRD", 0) == 0;
-  std::size_t line = text.find('\n');
-  int number = 2;
-  for (; good && line != std::string::npos; ++number)
-  {
-    const std::size_t end = text.find('\n', line + 1);
-    const std::string field = text.substr(line + 1, (end == std::string::npos ? text.size() : end) - line - 1);
-    const bool isLast = field.empty() || field == "\r";
-    if (isLast && (end != std::string::npos || isDetached))
-    {
-      return true;
-    }
-    good = end != std::string::npos && (field[0] == '#' || field.find(':') != std::string::npos);
-    line = end;
-  }
-  error = "line " + std::to_string(number - 1) + ": is no line of a NRRD header, or the header does not end";
-  return false;
 }

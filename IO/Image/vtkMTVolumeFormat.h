@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The formats of volumes: VTK's reader of each, and what is checked before that is believed. Not installed.
+// The formats of volumes that VTK's readers read, and what is checked before these are believed. Not installed.
 #ifndef vtkMTVolumeFormat_h
 #define vtkMTVolumeFormat_h
 
@@ -9,14 +9,12 @@
 
 class vtkAlgorithm;
 class vtkImageData;
-class vtkMTByteSource;
 class vtkMTErrorCollector;
 
 namespace vtkMTVolumeFormat
 {
 /// In lower case, without the first dot; .nii.gz ends in two parts.
 std::string GetEnding(const std::string& path);
-bool IsNrrd(const std::string& path);
 /// Whether the legacy file has structured points in it.
 bool IsStructuredPoints(const std::string& path);
 
@@ -24,11 +22,9 @@ bool IsStructuredPoints(const std::string& path);
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path, vtkMTErrorCollector& errors);
 
 ///@{
-/// False with the reason in error: a header of NRRD that does not end; an extent that is no volume, or that the file's
-/// bytes cannot hold, before memory is asked for; a volume without scalars at its points, which are made the active
-/// ones otherwise.
-bool CheckNrrd(const vtkMTByteSource& source, std::string& error);
-bool CheckExtent(vtkAlgorithm* reader, const std::string& path, double bytes, std::string& error);
+/// False with the reason in error: an extent that is no volume, or that the file's bytes cannot hold, before memory is
+/// asked for; a volume without scalars at its points, which are made the active ones otherwise.
+bool CheckExtent(vtkAlgorithm* reader, double bytes, std::string& error);
 bool UseScalars(vtkImageData* volume, std::string& error);
 ///@}
 }

@@ -3,25 +3,19 @@
 
 #include "vtkMTErrorCollector.h"
 #include "vtkMTFileByteSource.h"
+#include "vtkMTGltfReader.h"
 #include "vtkMTLegacyCheck.h"
 #include "vtkMTObjReader.h"
 #include "vtkMTPlyReader.h"
 #include "vtkMTStlReader.h"
 #include "vtkMTTextFormat.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
-#include "vtkGLTFReader.h"
 #include "vtkIdTypeArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
-#include "vtkSmartPointer.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
@@ -38,8 +32,7 @@ enum class Format
   Obj,
   Vtp,
   Legacy,
-  Gltf,
-  Glb
+  Gltf
 };
 
 //------------------------------------------------------------------------------
@@ -57,7 +50,7 @@ Format FromContent(std::string_view begin)
   }
   if (BeginsWith(begin, "glTF"))
   {
-    return Format::Glb;
+    return Format::Gltf;
   }
   if (BeginsWith(begin, "# vtk DataFile"))
   {
@@ -70,7 +63,7 @@ Format FromEnding(const std::string& ending)
 {
   static const std::pair<const char*, Format> formats[] = { { "ply", Format::Ply }, { "stl", Format::Stl },
     { "obj", Format::Obj }, { "vtp", Format::Vtp }, { "vtk", Format::Legacy }, { "gltf", Format::Gltf },
-    { "glb", Format::Glb } };
+    { "glb", Format::Gltf } };
   for (const auto& format : formats)
   {
     if (ending == format.first)
@@ -144,80 +137,6 @@ bool ReadLegacy(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& 
   return true;
 }
 
-// glTF counts texture coordinates from the top of the image, VTK and all other formats from its bottom.
-void TurnTextureCoordinates(vtkPolyData* mesh)
-{
-  vtkPointData* arrays = mesh->GetPointData();
-  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = arrays->GetArray(i);
-    const bool isTurned = array && array->GetNumberOfComponents() == 2 &&
-      (arrays->IsArrayAnAttribute(i) == vtkDataSetAttributes::TCOORDS ||
-        (array->GetName() && BeginsWith(array->GetName(), "TEXCOORD_")));
-    for (vtkIdType p = 0; isTurned && p < array->GetNumberOfTuples(); ++p)
-    {
-      array->SetComponent(p, 1, 1.0 - array->GetComponent(p, 1));
-    }
-  }
-}
-
-// A GLB file says how long it is.
-bool CheckGlb(const vtkMTByteSource& bytes, std::string& error)
-{
-  std::uint32_t head[3] = { 0, 0, 0 }; // magic, version, length; little-endian
-  if (bytes.GetSize() < sizeof(head) || !bytes.Read(0, sizeof(head), head, error))
-  {
-    error = error.empty() ? "is truncated" : error;
-    return false;
-  }
-  if (head[1] != 2)
-  {
-    error = "is of glTF version " + std::to_string(head[1]) + "; version 2 is read";
-    return false;
-  }
-  if (head[2] > bytes.GetSize())
-  {
-    error = "has " + std::to_string(bytes.GetSize()) + " bytes and should have " + std::to_string(head[2]) +
-      ": it is truncated";
-    return false;
-  }
-  return true;
-}
-
-bool ReadGltf(const std::string& path, vtkPolyData* output, std::string& error)
-{
-  vtkMTErrorCollector errors;
-  errors.ObserveOutputWindow(false); // the reader's own loader cannot be observed
-  vtkNew<vtkGLTFReader> reader;
-  if (!Update(reader.Get(), path, errors, error))
-  {
-    return false;
-  }
-  vtkMultiBlockDataSet* scene = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  vtkNew<vtkAppendPolyData> append;
-  vtkSmartPointer<vtkCompositeDataIterator> iterator;
-  if (scene)
-  {
-    iterator.TakeReference(scene->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      if (vtkPolyData* part = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject()))
-      {
-        append->AddInputData(part);
-      }
-    }
-  }
-  if (append->GetNumberOfInputConnections(0) == 0)
-  {
-    error = "has no meshes, or cannot be read";
-    return false;
-  }
-  append->Update();
-  output->DeepCopy(append->GetOutput()); // of one mesh the output shares the reader's arrays
-  TurnTextureCoordinates(output);
-  return true;
-}
-
 //------------------------------------------------------------------------------
 // VTK's readers do not check indices.
 bool CheckCells(vtkCellArray* cells, vtkIdType points, std::string& error)
@@ -285,17 +204,13 @@ bool ReadFormat(
       return ReadVtp(path, begin, output, error);
     case Format::Legacy:
       return ReadLegacy(bytes, output, error);
-    case Format::Glb:
-      return CheckGlb(bytes, error) && ReadGltf(path, output, error);
-    case Format::Gltf:
-      return ReadGltf(path, output, error);
     default:
       error = "is of no known format; PLY, STL, OBJ, VTP, VTK, glTF and GLB are read";
       return false;
   }
 }
 
-bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error)
+bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& error, vtkMTMeshReader::Counts* counts)
 {
   char buffer[512] = {};
   const std::uint64_t size = bytes.GetSize();
@@ -312,6 +227,10 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
   const std::string_view begin(buffer, length);
   Format format = FromContent(begin);
   format = format == Format::Unknown ? FromEnding(vtkMTTextFormat::GetLowerCaseEnding(bytes.GetName())) : format;
+  if (format == Format::Gltf)
+  {
+    return vtkMTGltfReader::Read(bytes, output, error, counts);
+  }
   if (format == Format::Ply || format == Format::Stl || format == Format::Obj)
   {
     return format == Format::Ply ? vtkMTPlyReader::Read(bytes, output, error)
@@ -328,7 +247,7 @@ bool ReadBytes(const vtkMTByteSource& bytes, vtkPolyData* output, std::string& e
 }
 }
 
-bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::string& error)
+bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::string& error, Counts* counts)
 {
   output->Initialize();
   const auto bytes = vtkMTFileByteSource::Open(path, error);
@@ -340,7 +259,7 @@ bool vtkMTMeshReader::Read(const std::string& path, vtkPolyData* output, std::st
   try
   {
     std::string reason;
-    done = ReadBytes(*bytes, output, error);
+    done = ReadBytes(*bytes, output, error, counts);
     if (done && !CheckMesh(output, reason))
     {
       done = false;

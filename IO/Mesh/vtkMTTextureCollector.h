@@ -5,10 +5,12 @@
  *
  * - OBJ: map_Kd of the materials that are used (usemtl), from the libraries that are named (mtllib);
  * - PLY: "comment TextureFile NAME";
- * - glTF, GLB: the images of the materials' base colours, from files, from data in the JSON or from the buffers.
+ * - glTF, GLB: the images of the materials' base colours, from files, from data in the JSON or from the buffers; of
+ *   other textures only that they are missing is told.
  *
  * Images are kept as they are: they are not decoded. They must be PNG, JPEG, WebP, TIFF, BMP, GIF, KTX2 or TGA by their
- * own bytes (TGA, which has no mark, by its ending).
+ * own bytes (TGA, which has no mark, by its ending). KTX2 and WebP, which VTK does not draw, are among the problems
+ * too.
  *
  * Only files in the folder of the mesh or below it are opened: of a name that leads elsewhere (an absolute one, or one
  * with "..") the last component alone is looked for, beside the mesh. A texture that cannot be read is no error of the
@@ -24,12 +26,13 @@
 #include <string>
 #include <vector>
 
+class vtkMTByteSource;
 class vtkPolyData;
 
 class VTKMTIOMESH_EXPORT vtkMTTextureCollector
 {
 public:
-  /// No larger image, and no larger JSON of a glTF file, is taken.
+  /// No larger image is taken.
   static constexpr std::uint64_t LargestImage = std::uint64_t(1) << 28;
 
   /**
@@ -44,7 +47,8 @@ public:
 private:
   void CollectObj(const std::string& path, vtkPolyData* mesh, int part);
   void CollectPly(const std::string& path, vtkPolyData* mesh, int part);
-  void CollectGltf(const std::string& path, int part);
+  void CollectGltf(const vtkMTByteSource& source, int part);
+  static bool IsGltf(const vtkMTByteSource& source);
   void Add(vtkMTTexture&& texture);
 
   std::vector<vtkMTTexture> Textures;

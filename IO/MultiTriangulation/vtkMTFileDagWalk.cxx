@@ -144,6 +144,7 @@ void vtkMTFileDagReader::AddToFigures(const vtkMTArc& arc)
   this->Figures.Levels = std::max(this->Figures.Levels, this->Graph.Nodes[arc.To].Level + 1);
   const bool isFinest = arc.To == this->Graph.GetSink() || this->Graph.Refinement == vtkMTGraph::Add;
   this->Figures.FinestTriangles += isFinest ? arc.Triangles : 0;
+  this->Figures.LargestWedges = std::max(this->Figures.LargestWedges, arc.Wedges);
   this->Figures.AddBox(arc.Box);
 }
 

@@ -95,7 +95,8 @@ struct ModelRecord
   std::uint32_t RangeColumnCount;
   std::uint8_t Refinement; // 0 replaces, 1 adds
   std::uint8_t HasFrame;
-  std::uint8_t Reserved[6];
+  std::uint8_t Reserved[2];
+  std::uint32_t LargestWedges; // of a patch
   double Frame[16];
 };
 static_assert(sizeof(ModelRecord) == 264 && std::is_trivially_copyable<ModelRecord>::value, "fixed by the format");

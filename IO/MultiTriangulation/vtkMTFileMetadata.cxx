@@ -169,6 +169,7 @@ ModelRecord ToRecord(const vtkMTGraph& graph)
   record.FinestTriangles = figures.FinestTriangles;
   std::copy(figures.Box.begin(), figures.Box.end(), record.Box);
   record.Levels = figures.Levels;
+  record.LargestWedges = figures.LargestWedges;
   record.FullySharedBorders = graph.FullySharedBorders;
   record.ArrayCount = static_cast<std::uint32_t>(graph.Arrays.size());
   record.BlobCount = static_cast<std::uint32_t>(graph.Blobs.size());
@@ -193,6 +194,7 @@ bool FromRecord(const ModelRecord& record, vtkMTGraph& graph)
   figures.FinestTriangles = record.FinestTriangles;
   std::copy(record.Box, record.Box + 6, figures.Box.begin());
   figures.Levels = record.Levels;
+  figures.LargestWedges = record.LargestWedges;
   graph.SetFigures(figures);
   graph.FullySharedBorders = record.FullySharedBorders;
   graph.Refinement = record.Refinement == vtkMTGraph::Add ? vtkMTGraph::Add : vtkMTGraph::Replace;
@@ -202,7 +204,7 @@ bool FromRecord(const ModelRecord& record, vtkMTGraph& graph)
   }
   return vtkMTFileDag::CheckLattice(graph.Lattice) && record.Refinement <= vtkMTGraph::Add && record.HasFrame <= 1 &&
     std::all_of(record.Frame, record.Frame + 16, [](double x) { return std::isfinite(x); }) &&
-    std::all_of(record.Reserved, record.Reserved + 6, [](std::uint8_t x) { return x == 0; });
+    record.Reserved[0] == 0 && record.Reserved[1] == 0;
 }
 
 bool GetBlobs(MetadataReader& reader, std::uint32_t count, vtkMTGraph& graph, vtkMTFileMetadata::Extras& extras)

@@ -22,8 +22,9 @@ struct vtkMTFileSource::Internals
 
   std::mutex Mutex; // of the reader and what follows
   std::unique_ptr<vtkMTFileDagReader> Reader;
-  std::string Failure;
-  std::uint64_t GraphBytesRead = 0;
+  std::string Failure; // written once, before HasFailed
+  std::atomic<bool> HasFailed{ false };
+  std::atomic<std::uint64_t> GraphBytesRead{ 0 };
 
   std::atomic<bool> Stop{ false };
   std::thread Thread;
@@ -82,6 +83,7 @@ struct vtkMTFileSource::Internals
     if (!done)
     {
       this->Failure = this->Bytes->GetName() + ": " + reason;
+      this->HasFailed = true;
       error = this->Failure;
     }
     return done;
@@ -160,7 +162,6 @@ void vtkMTFileSource::StartReadingOn()
 
 std::uint64_t vtkMTFileSource::GetGraphBytesRead() const
 {
-  const std::lock_guard<std::mutex> lock(this->Implementation->Mutex);
   return this->Implementation->GraphBytesRead;
 }
 
@@ -177,6 +178,11 @@ const vtkMTGraph& vtkMTFileSource::GetGraph() const
 const vtkMTGraph& vtkMTFileSource::GetKnownGraph() const
 {
   return this->Implementation->Graph;
+}
+
+std::string vtkMTFileSource::GetGraphError() const
+{
+  return this->Implementation->HasFailed ? this->Implementation->Failure : std::string();
 }
 
 bool vtkMTFileSource::CanRead(const std::string& path)

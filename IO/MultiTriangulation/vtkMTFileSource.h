@@ -70,6 +70,7 @@ public:
 
   const vtkMTGraph& GetGraph() const override;
   const vtkMTGraph& GetKnownGraph() const override;
+  std::string GetGraphError() const override;
   bool ReadPatch(
     std::uint32_t arc, const std::vector<unsigned char>* arrays, vtkMTPatch& patch, std::string& error) const override;
   void ReadPatches(const std::vector<std::uint32_t>& arcs, const std::vector<unsigned char>* arrays,

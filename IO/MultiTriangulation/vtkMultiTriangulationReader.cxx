@@ -18,6 +18,24 @@
 #include <cmath>
 #include <limits>
 
+namespace
+{
+// Bytes of the graph that are read at once: a model of which that is all is either whole or refused.
+constexpr std::uint64_t FirstBytes = std::uint64_t(1) << 20;
+
+// Null, with the reason in error, where that fails. What is left of a larger graph is read on a thread of the source's.
+std::shared_ptr<vtkMTFileSource> OpenLazily(const char* path, std::string& error)
+{
+  auto source = std::make_shared<vtkMTFileSource>();
+  if (!source->OpenFirstPages(path, error) || !source->ReadOn(FirstBytes, error))
+  {
+    return nullptr;
+  }
+  source->StartReadingOn();
+  return source;
+}
+}
+
 vtkStandardNewMacro(vtkMultiTriangulationReader);
 
 vtkMultiTriangulationReader::vtkMultiTriangulationReader()
@@ -51,6 +69,13 @@ void vtkMultiTriangulationReader::SetOutputError(double error)
     this->OutputError = clamped;
     this->Modified();
   }
+}
+
+int vtkMultiTriangulationReader::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::CheckUse(this, outputVector, port);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 int vtkMultiTriangulationReader::CanReadFile(const char* fileName)
@@ -104,8 +129,8 @@ int vtkMultiTriangulationReader::RequestData(
     return 0;
   }
   std::string error;
-  const auto source = std::make_shared<vtkMTFileSource>();
-  if (!source->Open(this->FileName, error))
+  const std::shared_ptr<vtkMTFileSource> source = OpenLazily(this->FileName, error);
+  if (!source)
   {
     const bool exists = vtksys::SystemTools::PathExists(this->FileName);
     const bool opens = vtkMTFileByteSource::Open(this->FileName, error) != nullptr;
@@ -124,5 +149,6 @@ int vtkMultiTriangulationReader::RequestData(
     vtkErrorMacro(<< this->FileName << ": the coarsest patches cannot be read");
     return 0;
   }
+  vtkMultiTriangulation::WarnOfUse(this, outputVector);
   return 1;
 }

@@ -39,14 +39,18 @@ public:
   /**
    * Which cut the output's own points and cells are, for filters that know polydata only: the coarsest one whose
    * certified distance to the input is at most this, in model units, or the finest level where that is not enough.
-   * Default VTK_DOUBLE_MAX: the coarsest cut, of which such filters are warned (see vtkMultiTriangulation). Negative
-   * values are clamped to 0, the finest level; NaN is ignored, with a warning. Reading takes the memory of that cut.
+   * Default VTK_DOUBLE_MAX: the coarsest cut, of which users of such filters are warned (see vtkMultiTriangulation).
+   * Negative values are clamped to 0, the finest level; NaN is ignored, with a warning. Reading takes the memory of
+   * that cut.
    */
   void SetOutputError(double error);
   vtkGetMacro(OutputError, double);
   ///@}
 
   vtkMultiTriangulation* GetOutput();
+
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
 protected:
   vtkMultiTriangulationReader();

@@ -28,6 +28,13 @@ void vtkMultiTriangulationWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
 }
 
+int vtkMultiTriangulationWriter::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
 int vtkMultiTriangulationWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   // Any polydata, so that the one without patches gets a message that says what is missing.
@@ -61,6 +68,12 @@ void vtkMultiTriangulationWriter::WriteData()
 void vtkMultiTriangulationWriter::WritePatches(const vtkMTPatchSource& source, const vtkMultiTriangulation& model)
 {
   const vtkMTGraph& graph = source.GetGraph();
+  if (!graph.IsWhole())
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+    vtkErrorMacro(<< source.GetGraphError());
+    return;
+  }
   vtkMTFileSink sink(this->FileName);
   if (!sink.Begin(graph.Arrays))
   {

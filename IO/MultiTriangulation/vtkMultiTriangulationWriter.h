@@ -32,6 +32,9 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMultiTriangulationWriter();
   ~vtkMultiTriangulationWriter() override;

@@ -24,18 +24,15 @@ bool vtkMTFrame::SetSource(
   this->Cut.reset();
   this->Renderers.clear();
   this->Failures.clear();
-  this->SourceTriangles = 0;
-  for (std::size_t i = 0; source && i < source->GetGraph().Arcs.size(); ++i)
-  {
-    this->SourceTriangles += source->GetGraph().Arcs[i].Triangles;
-  }
+  this->FinestTriangles = source ? source->GetKnownGraph().GetNumberOfFinestTriangles() : 0;
+  this->GraphFailed = false;
   this->Cache = source ? std::make_unique<vtkMTPatchCache>(source, vtkMTPatchCache::DefaultLimit, loader) : nullptr;
   return true;
 }
 
 const vtkMTGraph& vtkMTFrame::GetGraph() const
 {
-  return this->GetSource()->GetGraph();
+  return this->GetSource()->GetKnownGraph();
 }
 
 const vtkMTFrame::Result& vtkMTFrame::Update(
@@ -150,6 +147,12 @@ void vtkMTFrame::FindCut(Key renderer, const std::vector<vtkMTView>& views, cons
   frame.Advance = settings.Advance;
   frame.IsUploaded = [this](std::uint32_t arc) { return this->Uploader->IsUploaded(arc); };
   this->Cut = this->Cuts.Update(renderer, frame, *this->Cache);
+  if (this->Wait && !frame.Freeze && !this->Cut->Converged && !this->GetGraph().IsWhole())
+  {
+    this->GetSource()->GetGraph();
+    this->NoteFailures();
+    this->Cut = this->Cuts.Update(renderer, frame, *this->Cache);
+  }
   this->Current->Drawn = this->Cut;
 }
 
@@ -313,6 +316,12 @@ bool vtkMTFrame::GiveUp(std::uint32_t arc)
 
 void vtkMTFrame::NoteFailures()
 {
+  const std::string lost = this->GraphFailed ? std::string() : this->GetSource()->GetGraphError();
+  if (!lost.empty())
+  {
+    this->GraphFailed = true;
+    this->Failures.push_back(lost);
+  }
   const std::string name = this->GetSource()->GetName() + ": ";
   for (const vtkMTPatchCache::Failure& failure : this->Cache->TakeFailures())
   {

@@ -77,9 +77,10 @@ public:
   /// Forgets everything when the source is another one, and gives true then. Null is no source.
   bool SetSource(const std::shared_ptr<const vtkMTPatchSource>& source, const vtkMTPatchLoader::Settings& loader);
   const std::shared_ptr<const vtkMTPatchSource>& GetSource() const { return this->Cuts.GetSource(); }
+  /// As far as it is known.
   const vtkMTGraph& GetGraph() const;
-  /// Of all patches of the source.
-  std::uint64_t GetNumberOfSourceTriangles() const { return this->SourceTriangles; }
+  /// Of the source's finest level.
+  std::uint64_t GetNumberOfFinestTriangles() const { return this->FinestTriangles; }
 
   /**
    * What a pass draws in a renderer, as one sees it through one view or more at once: the arcs of the result, whose
@@ -145,9 +146,10 @@ private:
   std::unique_ptr<vtkMTPatchCache> Cache;
   std::map<Key, Renderer> Renderers;
   std::vector<std::string> Failures;
-  std::uint64_t SourceTriangles = 0;
-  std::uint64_t Time = 0; // counts frames
-  bool Wait = false;      // this frame waits for what it draws
+  std::uint64_t FinestTriangles = 0;
+  bool GraphFailed = false; // and that has been noted
+  std::uint64_t Time = 0;   // counts frames
+  bool Wait = false;        // this frame waits for what it draws
 
   // Of the pass.
   vtkMTUploader* Uploader = nullptr;

@@ -58,7 +58,7 @@ bool vtkMTRendererCuts::SetSource(const std::shared_ptr<const vtkMTPatchSource>&
   this->Source = source;
   this->All.clear();
   this->Last.reset();
-  this->Resident.assign(source ? source->GetGraph().Arcs.size() : 0, 1);
+  this->Resident.assign(source ? source->GetKnownGraph().Arcs.size() : 0, 1);
   this->ReadableRevision = 0;
   return true;
 }
@@ -71,7 +71,7 @@ vtkMTRendererCuts::ResultPointer vtkMTRendererCuts::Update(
   const bool keepCut = frame.Freeze && kept.Result && kept.Readable == this->ReadableRevision;
   const bool same = kept.Result && kept.Frozen == keepCut && kept.Readable == this->ReadableRevision &&
     IsSame(kept.Settings, frame.Settings) && IsSame(kept.Views, frame.Views) &&
-    FitsAsWell(this->Source->GetGraph(), *kept.Result, kept.Settings, frame.Settings);
+    FitsAsWell(this->Source->GetKnownGraph(), *kept.Result, kept.Settings, frame.Settings);
   const bool settled = kept.Frozen || (kept.Result && kept.Result->OnTarget);
   if (!same || (frame.Advance && !settled))
   {
@@ -85,7 +85,8 @@ void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, co
 {
   const auto start = std::chrono::steady_clock::now();
   vtkMTCutFollower::Input input;
-  input.Graph = &this->Source->GetGraph();
+  input.Graph = &this->Source->GetKnownGraph();
+  const bool mayGrow = !input.Graph->IsWhole() && this->Source->GetGraphError().empty();
   input.Views = frame.Views;
   input.Resident = this->ReadableRevision > 0 ? &this->Resident : nullptr;
   input.GetState = [&](std::uint32_t arc)
@@ -102,7 +103,10 @@ void vtkMTRendererCuts::Compute(Kept& kept, const Frame& frame, bool keepCut, co
   }
   else
   {
-    kept.Result = std::make_shared<vtkMTCutFollower::Result>(kept.Follower.Update(input, frame.Settings));
+    auto moved = std::make_shared<vtkMTCutFollower::Result>(kept.Follower.Update(input, frame.Settings));
+    // What the view asks for may lie in what is not known yet.
+    moved->OnTarget = moved->OnTarget && (moved->Converged || !mayGrow);
+    kept.Result = std::move(moved);
   }
   ++this->Searches;
   kept.Posted = false;

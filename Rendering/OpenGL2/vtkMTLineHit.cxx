@@ -51,9 +51,10 @@ bool Enter(const double bounds[6], const Place& begin, const Place& way, double&
       }
       continue;
     }
-    const auto cuts = std::minmax(low / way[i], high / way[i]);
-    from = std::max(from, cuts.first);
-    to = std::min(to, cuts.second);
+    const double one = low / way[i];
+    const double other = high / way[i];
+    from = std::max(from, std::min(one, other));
+    to = std::min(to, std::max(one, other));
   }
   t = from;
   return from <= to;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace
 {
@@ -56,7 +57,17 @@ std::uint64_t GetRevision(std::uint64_t colorRevision)
 }
 }
 
-void vtkMTPatchStreams::Apply(const Plan& plan, vtkMTPatchArena& arena)
+std::string vtkMTPatchStreams::GetIndexStream(const Plan& plan)
+{
+  return plan.Edges ? "edges" : "triangles";
+}
+
+std::string vtkMTPatchStreams::GetCellStream(const char* stream, const Plan& plan)
+{
+  return plan.PrimitivesPerTriangle == 1 ? stream : stream + std::to_string(plan.PrimitivesPerTriangle);
+}
+
+void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchArena& arena)
 {
   this->Current = plan;
   this->Streams.clear();
@@ -74,7 +85,8 @@ void vtkMTPatchStreams::Apply(const Plan& plan, vtkMTPatchArena& arena)
 
   declare(Positions, MakeVertexFormat(3, GL_INT, 12, true), 1, Stream::Points);
   const std::size_t index = plan.ShortIndices ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
-  declare(Indices, MakeTriangleFormat((plan.Edges ? 6 : 3) * index), plan.ShortIndices ? 2 : 1, Stream::Connectivity);
+  declare(GetIndexStream(plan), MakeTriangleFormat((plan.Edges ? 6 : 3) * index), plan.ShortIndices ? 2 : 1,
+    Stream::Connectivity);
   for (std::size_t i = 0; i < plan.Attributes.size(); ++i)
   {
     const Floats& floats = plan.Attributes[i];
@@ -85,8 +97,13 @@ void vtkMTPatchStreams::Apply(const Plan& plan, vtkMTPatchArena& arena)
   const auto times = static_cast<std::size_t>(plan.PrimitivesPerTriangle);
   if (plan.CellNormals >= 0)
   {
-    declare(CellNormalStream, MakeTriangleFormat(16 * times), 1 + static_cast<std::uint64_t>(plan.CellNormals),
-      Stream::CellNormal);
+    declare(GetCellStream(CellNormalStream, plan), MakeTriangleFormat(16 * times),
+      1 + static_cast<std::uint64_t>(plan.CellNormals), Stream::CellNormal);
+  }
+  if (!plan.CellTextures.empty())
+  {
+    declare(GetCellStream(CellTextureStream, plan), MakeTriangleFormat(sizeof(float) * times),
+      plan.CellTexturesRevision, Stream::Texture);
   }
   switch (plan.Coloring)
   {
@@ -97,20 +114,43 @@ void vtkMTPatchStreams::Apply(const Plan& plan, vtkMTPatchArena& arena)
       declare("tcoord", MakeVertexFormat(2, GL_FLOAT, 8), GetRevision(plan.ColorRevision), Stream::Color);
       break;
     case CellColors:
-      declare(CellColorStream, MakeTriangleFormat(4 * times), GetRevision(plan.ColorRevision), Stream::Color);
+      declare(GetCellStream(CellColorStream, plan), MakeTriangleFormat(4 * times), GetRevision(plan.ColorRevision),
+        Stream::Color);
       break;
     case NoColors:
     case OneColor:
       break;
   }
-  for (const std::string& old : this->Names)
+  this->Note(plan, user, names);
+  this->RemoveUnused(arena);
+}
+
+void vtkMTPatchStreams::Note(const Plan& plan, const void* user, const std::vector<std::string>& names)
+{
+  this->Uses[user] = { plan, names, ++this->Time };
+  std::copy_if(names.begin(), names.end(), std::back_inserter(this->Names),
+    [this](const std::string& name)
+    { return std::find(this->Names.begin(), this->Names.end(), name) == this->Names.end(); });
+  // A frame applies each user's plan once for each pass. One that has not come for so many of them draws no more.
+  constexpr std::uint64_t passes = 64;
+  const std::uint64_t patience = passes * this->Uses.size();
+  for (auto use = this->Uses.begin(); use != this->Uses.end();)
   {
-    if (std::find(names.begin(), names.end(), old) == names.end())
-    {
-      arena.Remove(old);
-    }
+    use = this->Time - use->second.Time > patience ? this->Uses.erase(use) : std::next(use);
   }
-  this->Names = names;
+}
+
+void vtkMTPatchStreams::RemoveUnused(vtkMTPatchArena& arena)
+{
+  const auto isUsed = [this](const std::string& name)
+  {
+    return std::any_of(this->Uses.begin(), this->Uses.end(),
+      [&name](const auto& use)
+      { return std::find(use.second.Names.begin(), use.second.Names.end(), name) != use.second.Names.end(); });
+  };
+  const auto unused = std::stable_partition(this->Names.begin(), this->Names.end(), isUsed);
+  std::for_each(unused, this->Names.end(), [&arena](const std::string& name) { arena.Remove(name); });
+  this->Names.erase(unused, this->Names.end());
 }
 
 std::vector<unsigned char> vtkMTPatchStreams::GetArrays(const vtkMTGraph& graph) const
@@ -123,14 +163,23 @@ std::vector<unsigned char> vtkMTPatchStreams::GetArrays(const vtkMTGraph& graph)
       arrays[array] = 1;
     }
   };
-  for (const Floats& floats : this->Current.Attributes)
+  for (const auto& use : this->Uses)
   {
-    want(floats.Array);
-  }
-  want(this->Current.CellNormals);
-  if (this->Current.Coloring != NoColors)
-  {
-    want(this->Current.Scalars);
+    const Plan& plan = use.second.Wanted;
+    for (const Floats& floats : plan.Attributes)
+    {
+      want(floats.Array);
+    }
+    want(plan.CellNormals);
+    if (!plan.CellTextures.empty())
+    {
+      want(plan.Materials);
+      want(plan.Parts);
+    }
+    if (plan.Coloring != NoColors)
+    {
+      want(plan.Scalars);
+    }
   }
   return arrays;
 }
@@ -150,6 +199,27 @@ bool vtkMTPatchStreams::Upload(vtkMTPatchArena& arena, vtkMTPatchArena::Slot& sl
       return !arena.IsStale(slot, stream.Number) ||
         arena.Upload(slot, stream.Number, this->Make(stream, graph, patch, mapping));
     });
+}
+
+// The number of the texture that each triangle has, or -1.
+std::vector<float> vtkMTPatchStreams::GetCellTextures(const vtkMTGraph& graph, const vtkMTPatch& patch) const
+{
+  const auto getValues = [&](int array)
+  { return array >= 0 ? vtkMTPatchAttributes::GetArray(graph, array, patch) : vtkSmartPointer<vtkDataArray>(); };
+  const vtkSmartPointer<vtkDataArray> materials = getValues(this->Current.Materials);
+  const vtkSmartPointer<vtkDataArray> parts = getValues(this->Current.Parts);
+  const auto has = [](vtkDataArray* values, std::size_t cell, int wanted)
+  { return wanted < 0 || (values && values->GetComponent(static_cast<vtkIdType>(cell), 0) == wanted); };
+  std::vector<float> numbers(patch.Triangles.size());
+  const std::vector<CellTexture>& textures = this->Current.CellTextures;
+  for (std::size_t cell = 0; cell < numbers.size(); ++cell)
+  {
+    const auto found = std::find_if(textures.begin(), textures.end(),
+      [&](const CellTexture& texture)
+      { return has(materials, cell, texture.Material) && has(parts, cell, texture.Part); });
+    numbers[cell] = found == textures.end() ? -1.0f : static_cast<float>(found - textures.begin());
+  }
+  return numbers;
 }
 
 std::vector<unsigned char> vtkMTPatchStreams::Make(
@@ -180,6 +250,10 @@ std::vector<unsigned char> vtkMTPatchStreams::Make(
         vtkMTPatchAttributes::GetFloats(array, 4), 4, this->Current.PrimitivesPerTriangle));
       break;
     }
+    case Stream::Texture:
+      bytes = ToBytes(
+        vtkMTPatchAttributes::Repeat(this->GetCellTextures(graph, patch), 1, this->Current.PrimitivesPerTriangle));
+      break;
     case Stream::Color:
       mapping(this->Current.Scalars, patch, bytes);
       break;

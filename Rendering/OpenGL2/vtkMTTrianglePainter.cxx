@@ -13,12 +13,23 @@ namespace
 constexpr const char* ColorAttribute = "scalarColor";
 }
 
-void vtkMTTrianglePainter::Apply(
-  const vtkMTGraph& graph, const vtkMTPatchStreams::Plan& plan, const vtkMTPatchStreams::Mapping& mapping)
+void vtkMTTrianglePainter::Apply(const vtkMTGraph& graph, const vtkMTPatchStreams::Plan& plan, const void* user,
+  const vtkMTPatchStreams::Mapping& mapping)
 {
   this->Graph = &graph;
   this->Mapping = mapping;
-  this->Streams.Apply(plan, this->Arena);
+  this->Streams.Apply(plan, user, this->Arena);
+}
+
+void vtkMTTrianglePainter::Clear()
+{
+  this->Arena.Clear();
+  this->Streams.Clear();
+}
+
+vtkOpenGLBufferObject* vtkMTTrianglePainter::GetIndices()
+{
+  return this->Arena.GetBuffer(vtkMTPatchStreams::GetIndexStream(this->Streams.GetPlan()));
 }
 
 vtkMTUploader::Cost vtkMTTrianglePainter::GetCost() const
@@ -81,7 +92,7 @@ bool vtkMTTrianglePainter::Upload(std::uint32_t arc, const vtkMTPatch& patch)
 
 bool vtkMTTrianglePainter::HasBuffers()
 {
-  vtkOpenGLBufferObject* indices = this->Arena.GetBuffer(vtkMTPatchStreams::Indices);
+  vtkOpenGLBufferObject* indices = this->GetIndices();
   return indices && indices->GetHandle() != 0;
 }
 
@@ -116,8 +127,7 @@ void vtkMTTrianglePainter::Draw(
       glVertexAttrib4Nubv(static_cast<GLuint>(color), colors.All->data());
     }
   }
-  glBindBuffer(
-    GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(this->Arena.GetBuffer(vtkMTPatchStreams::Indices)->GetHandle()));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(this->GetIndices()->GetHandle()));
   if (colors.OfPatch || program->IsUniformUsed("PrimitiveIDOffset"))
   {
     this->DrawOneByOne(program, mode, arcs, colors);

@@ -3,9 +3,9 @@
  * @class vtkMTTrianglePainter
  * @brief triangle patches on one window's GPU: a vtkMTUploader, and draw calls
  *
- * Patches are in a vtkMTPatchArena, with the data that a plan says (vtkMTPatchStreams); a plan that differs from the
- * one before makes what changed stale, and nothing else. Draws are of the arcs of a cut, all patches in one call where
- * nothing differs between them.
+ * Patches are in a vtkMTPatchArena, with the data that a plan says (vtkMTPatchStreams); a plan that differs from its
+ * user's one before makes what changed stale, and nothing else. Draws are of the arcs of a cut, all patches in one call
+ * where nothing differs between them.
  *
  * All methods but the constructor need the OpenGL context of the window, current.
  */
@@ -22,15 +22,18 @@
 #include <vector>
 
 class vtkMTGraph;
+class vtkOpenGLBufferObject;
 class vtkShaderProgram;
 
 class vtkMTTrianglePainter : public vtkMTUploader
 {
 public:
-  /// What is drawn from now on. The graph must live as long as it is drawn; another one needs Clear before.
-  void Apply(const vtkMTGraph& graph, const vtkMTPatchStreams::Plan& plan, const vtkMTPatchStreams::Mapping& mapping);
+  /// What is drawn from now on, and for whom: see vtkMTPatchStreams. The graph must live as long as it is drawn;
+  /// another one needs Clear before.
+  void Apply(const vtkMTGraph& graph, const vtkMTPatchStreams::Plan& plan, const void* user,
+    const vtkMTPatchStreams::Mapping& mapping);
   /// Drops all patches.
-  void Clear() { this->Arena.Clear(); }
+  void Clear();
   void ReleaseGraphicsResources() { this->Arena.ReleaseGraphicsResources(); }
 
   ///@{
@@ -68,6 +71,7 @@ public:
   const vtkMTPatchArena& GetArena() const { return this->Arena; }
 
 private:
+  vtkOpenGLBufferObject* GetIndices();
   const void* GetPlace(const vtkMTPatchArena::Slot& slot) const;
   unsigned int GetIndexType() const;
   void DrawAtOnce(unsigned int mode, const std::vector<std::uint32_t>& arcs);

@@ -28,7 +28,7 @@ namespace
 vtkMultiTriangulation* GetModel(vtkDataObject* input)
 {
   vtkMultiTriangulation* model = vtkMultiTriangulation::SafeDownCast(input);
-  return model && model->GetSource() && !model->GetSource()->GetGraph().IsEmpty() ? model : nullptr;
+  return model && model->GetSource() && !model->GetSource()->GetKnownGraph().IsEmpty() ? model : nullptr;
 }
 }
 
@@ -69,6 +69,11 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLoaderThreads: " << this->NumberOfLoaderThreads << "\n";
   os << indent << "FreezeCut: " << this->FreezeCut << "\n";
   os << indent << "ColorBy: " << this->ColorBy << "\n";
+  const double* low = this->ElevationLowPoint;
+  const double* high = this->ElevationHighPoint;
+  os << indent << "ElevationLowPoint: " << low[0] << ", " << low[1] << ", " << low[2] << "\n";
+  os << indent << "ElevationHighPoint: " << high[0] << ", " << high[1] << ", " << high[2] << "\n";
+  os << indent << "ElevationRange: " << this->ElevationRange[0] << ", " << this->ElevationRange[1] << "\n";
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
   os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
   os << indent << "DrawingRate: " << this->DrawingRate << "\n";
@@ -104,6 +109,14 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetNumberOfLoaderThreads(other->GetNumberOfLoaderThreads());
     this->SetFreezeCut(other->GetFreezeCut());
     this->SetColorBy(other->GetColorBy());
+    this->RemoveTextureMappings();
+    for (const vtkMTPatchStreams::CellTexture& texture : other->Implementation->CellTextures)
+    {
+      this->MapTextureToMaterial(texture.Name.c_str(), texture.Material, texture.Part);
+    }
+    std::copy_n(other->ElevationLowPoint, 3, this->ElevationLowPoint);
+    std::copy_n(other->ElevationHighPoint, 3, this->ElevationHighPoint);
+    std::copy_n(other->ElevationRange, 2, this->ElevationRange);
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
     this->SetGraphicsMemoryLimit(other->GetGraphicsMemoryLimit());
     this->SetDrawingRate(other->GetDrawingRate());
@@ -137,6 +150,7 @@ void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Implementation->Painters.Release(window);
   }
+  this->Implementation->CellTextureBuffer->ReleaseGraphicsResources(window);
   this->Implementation->KeepsPatches = true;
   this->Superclass::ReleaseGraphicsResources(window);
   this->Implementation->KeepsPatches = keepsPatches;
@@ -146,6 +160,14 @@ void vtkMultiTriangulationMapper::ReleaseGraphicsResources(vtkWindow* window)
 bool vtkMultiTriangulationMapper::HasPatches()
 {
   return GetModel(this->GetInput()) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkMultiTriangulationMapper::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
 //------------------------------------------------------------------------------
@@ -160,12 +182,6 @@ void vtkMultiTriangulationMapper::ComputeBounds()
     return;
   }
   this->Superclass::ComputeBounds();
-}
-
-//------------------------------------------------------------------------------
-bool vtkMultiTriangulationMapper::HasTranslucentPolygonalGeometry()
-{
-  return !(this->ColorBy != NONE && this->HasPatches()) && this->Superclass::HasTranslucentPolygonalGeometry();
 }
 
 //------------------------------------------------------------------------------
@@ -382,10 +398,11 @@ void vtkMultiTriangulationMapper::BuildBufferObjects(vtkRenderer* renderer, vtkA
   const int representation = actor->GetProperty()->GetRepresentation();
   plan.Edges = representation == VTK_WIREFRAME;
   plan.PrimitivesPerTriangle = representation == VTK_SURFACE ? 1 : 3;
-  const std::vector<vtkMTArc>& arcs = this->Implementation->Graph().Arcs;
-  plan.ShortIndices = std::all_of(arcs.begin(), arcs.end(), [](const vtkMTArc& arc) { return arc.Wedges <= 65536; });
+  plan.ShortIndices = this->Implementation->Graph().GetFigures().LargestWedges <= 65536;
+  this->WarnOfForeignArrays();
   this->PlanColors();
   this->PlanAttributes(actor);
+  this->PlanCellTextures(actor);
   this->UpdateColorRevision();
   this->BuildTemplate(renderer);
   this->VBOBuildTime.Modified();

@@ -19,9 +19,18 @@
  * cracks.
  *
  * Scalars: the scalar mode, array name or id, lookup table and range mean what they mean for the coarsest cut, which
- * the input's own points and cells are; arrays that are not part of the model (added by a filter) cannot be coloured
- * by. Of an array in the input's field data, the tuple that SetFieldDataTupleId names colours everything. Normals are
- * the model's active point normals, texture coordinates and tangents likewise.
+ * the input's own points and cells are. Of an array in the input's field data, the tuple that SetFieldDataTupleId names
+ * colours everything. Normals are the model's active point normals, texture coordinates and tangents likewise.
+ *
+ * Colours: an array of three or four components that is of bytes, or whose name ("RGB", "COLOR_0", "Colors" ...) or
+ * component names say that it is colours, is drawn as it is unless the colour mode is MapScalars: floating point from 0
+ * to 1, bytes and 16-bit values are converted (as VTK's DirectScalars, but for integers above 255, of which that keeps
+ * the lowest byte). Where the scalar mode is the default one and no scalars are active, the first array of colours is
+ * drawn, of points or else of cells. An array that carries a lookup table with annotations, as ids of groups and
+ * materials do, is coloured by that table.
+ *
+ * Arrays that are not part of the model, because a filter has added them, have values on its coarsest cut alone: they
+ * are not drawn, and a warning says so once. Elevations can be, by SetColorByElevation.
  *
  * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
  * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
@@ -36,13 +45,18 @@
 
 #include "vtkMTRenderingOpenGL2Module.h" // For export macro
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory> // For std::unique_ptr
+#include <string>
 #include <vector>
 
+class vtkDataArray;
+class vtkMTGraph;
+struct vtkMTArrayInfo;
 struct vtkMTPatch;
 
 class VTKMTRENDERINGOPENGL2_EXPORT vtkMultiTriangulationMapper : public vtkOpenGLPolyDataMapper
@@ -177,21 +191,55 @@ public:
     NONE = 0,
     LEVEL = 1,
     PATCH = 2,
-    ERROR_IN_PIXELS = 3
+    ERROR_IN_PIXELS = 3,
+    ELEVATION = 4
   };
 
   ///@{
   /**
    * Colours that show the cut instead of the data: each level a hue (0, the finest, is green), each patch a hue, or the
-   * pixel error of each patch (blue none, white half of PixelError, red all of it or more). Default NONE: property and
-   * scalars say the colour. Other values are clamped.
+   * pixel error of each patch (blue none, white half of PixelError, red all of it or more). ELEVATION: see
+   * SetColorByElevation. Default NONE: property and scalars say the colour. Other values are clamped.
    */
-  vtkSetClampMacro(ColorBy, int, NONE, ERROR_IN_PIXELS);
+  vtkSetClampMacro(ColorBy, int, NONE, ELEVATION);
   vtkGetMacro(ColorBy, int);
   void SetColorByToNone() { this->SetColorBy(NONE); }
   void SetColorByToLevel() { this->SetColorBy(LEVEL); }
   void SetColorByToPatch() { this->SetColorBy(PATCH); }
   void SetColorByToError() { this->SetColorBy(ERROR_IN_PIXELS); }
+  ///@}
+
+  ///@{
+  /**
+   * Colours by place, as vtkElevationFilter and the lookup table make them, but for every vertex of every patch: a
+   * value that goes from range[0] at the low point to range[1] at the high point, along the line between them, and
+   * stays the same beyond. The points are in the input's coordinates. Sets ColorBy to ELEVATION and the scalar range to
+   * the same range; set another one afterwards to have the table span other values. Default points (0, 0, 0) and (0, 0,
+   * 1), range 0 to 1. Points that are equal, and numbers that are not finite, are refused with an error event.
+   */
+  void SetColorByElevation(const double lowPoint[3], const double highPoint[3], const double range[2]);
+  vtkGetVector3Macro(ElevationLowPoint, double);
+  vtkGetVector3Macro(ElevationHighPoint, double);
+  vtkGetVector2Macro(ElevationRange, double);
+  ///@}
+
+  /**
+   * Has the scalars be the model's colours, whatever scalars are active: the first array of points that is colours, or
+   * else of cells, or else "MaterialIds" where they carry the materials' colours. Turns ScalarVisibility on and gives
+   * true; false, with nothing changed, where the input is no model or has no colours.
+   */
+  bool SelectColors();
+
+  ///@{
+  /**
+   * Limits a texture of the actor's property (vtkProperty::SetTexture, by its name) to cells: those whose "MaterialIds"
+   * are the material and whose "PartId" is the part, where -1, for either, is all; a cell has the first texture that it
+   * may have. By default each texture is on all cells, as in VTK. A name that was given before gets the new cells, an
+   * empty one or null is ignored. VTK takes all textures but the first by their blending mode: give them
+   * VTK_TEXTURE_BLENDING_MODE_MODULATE.
+   */
+  void MapTextureToMaterial(const char* texture, int material, int part = -1);
+  void RemoveTextureMappings();
   ///@}
 
   ///@{
@@ -299,6 +347,9 @@ public:
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
   ///@}
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMultiTriangulationMapper();
   ~vtkMultiTriangulationMapper() override;
@@ -325,11 +376,24 @@ private:
   bool HasPatches();
   void FollowInput();
   void ForgetBuffers();
+  bool ShowsCut() const;
+  int FindScalars(const vtkMTGraph& graph, int& cellFlag);
+  bool IsDirect(const vtkMTArrayInfo& info) const;
+  double GetFullColor(const vtkMTArrayInfo& info);
+  bool HasTranslucentColors();
+  int GetMappingMode() const;
   void PlanColors();
+  void PlanScalars();
+  void PlanElevation();
   void PlanFieldColor();
   void PlanAttributes(vtkActor* actor);
+  void PlanCellTextures(vtkActor* actor);
+  void SubstituteCellTextures(std::string& source) const;
   void BuildTemplate(vtkRenderer* renderer);
+  void WarnOfForeignArrays();
   void UpdateColorRevision();
+  vtkSmartPointer<vtkDataArray> GetElevations(const vtkMTPatch& patch);
+  vtkSmartPointer<vtkDataArray> GetPatchScalars(int array, const vtkMTPatch& patch);
   void MapPatchScalars(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes);
   void ForgetColors();
   void UpdateFrame(vtkRenderer* renderer, vtkActor* actor);
@@ -353,6 +417,9 @@ private:
   int NumberOfLoaderThreads = 2;
   bool FreezeCut = false;
   int ColorBy = NONE;
+  double ElevationLowPoint[3] = { 0.0, 0.0, 0.0 };
+  double ElevationHighPoint[3] = { 0.0, 0.0, 1.0 };
+  double ElevationRange[2] = { 0.0, 1.0 };
   vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
   vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
   double DrawingRate = 0.0;

@@ -1,97 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMultiTriangulationMapper: which data the shader needs, and how scalars become colours.
+// vtkMultiTriangulationMapper: which data the shader needs.
 #include "vtkActor.h"
+#include "vtkDataObject.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLTexture.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <string>
 
 //------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::ForgetColors()
+// A filter that does not know the model has added them to its coarsest cut, and finer patches have no such values.
+void vtkMultiTriangulationMapper::WarnOfForeignArrays()
 {
-  if (this->Colors)
+  Internals& self = *this->Implementation;
+  std::string names;
+  for (const auto association : { vtkMTArrayInfo::Point, vtkMTArrayInfo::Cell })
   {
-    this->Colors->UnRegister(this);
-    this->Colors = nullptr;
-  }
-  if (this->ColorCoordinates)
-  {
-    this->ColorCoordinates->UnRegister(this);
-    this->ColorCoordinates = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::PlanColors()
-{
-  vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
-  plan.Coloring = vtkMTPatchStreams::NoColors;
-  plan.Scalars = -1;
-  if (this->ColorBy == NONE && this->ScalarVisibility)
-  {
-    int cellFlag = 0;
-    vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(
-      this->GetInput(), this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    if (cellFlag == 2)
+    vtkDataSetAttributes* data = this->GetInput()->GetAttributes(
+      association == vtkMTArrayInfo::Point ? vtkDataObject::POINT : vtkDataObject::CELL);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      this->PlanFieldColor();
-    }
-    if (scalars && scalars->GetName() && cellFlag < 2)
-    {
-      plan.Scalars = vtkMTPatchAttributes::FindArray(this->Implementation->Graph(), scalars->GetName(),
-        cellFlag == 0 ? vtkMTArrayInfo::Point : vtkMTArrayInfo::Cell);
-    }
-    if (plan.Scalars >= 0)
-    {
-      // On the coarsest cut: this sets up table and range, and decides between colours and a texture, as VTK does.
-      this->ForgetColors();
-      this->MapScalars(1.0);
-      plan.Coloring = this->ColorTextureMap ? vtkMTPatchStreams::PointCoordinates
-        : cellFlag == 0                     ? vtkMTPatchStreams::PointColors
-                                            : vtkMTPatchStreams::CellColors;
+      const char* name = data->GetArrayName(i);
+      if (name && vtkMTPatchAttributes::FindArray(self.Graph(), name, association) < 0)
+      {
+        names += (names.empty() ? "" : ", ") + std::string(name);
+      }
     }
   }
-  if (plan.Coloring == vtkMTPatchStreams::PointCoordinates)
+  if (names != self.ForeignArrays && !names.empty())
   {
-    if (!this->InternalColorTexture)
-    {
-      this->InternalColorTexture = vtkOpenGLTexture::New();
-      this->InternalColorTexture->RepeatOff();
-    }
-    this->InternalColorTexture->SetInputData(this->ColorTextureMap);
-    return;
+    vtkWarningMacro("The input has arrays that its model has not, so they are known on its coarsest cut alone and are "
+                    "not drawn: "
+      << names << ". Build the model with them; for elevations there is SetColorByElevation.");
   }
-  this->ForgetColors();
-  if (this->ColorTextureMap)
-  {
-    this->ColorTextureMap->UnRegister(this);
-    this->ColorTextureMap = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-// A tuple of an array in the input's field data colours everything.
-void vtkMultiTriangulationMapper::PlanFieldColor()
-{
-  this->ForgetColors();
-  this->MapScalars(1.0);
-  if (this->Colors && this->FieldDataTupleId >= 0 && this->FieldDataTupleId < this->Colors->GetNumberOfTuples())
-  {
-    this->Colors->GetTypedTuple(this->FieldDataTupleId, this->Implementation->FieldColor.data());
-    this->Implementation->Plan.Coloring = vtkMTPatchStreams::OneColor;
-  }
+  self.ForeignArrays = names;
 }
 
 //------------------------------------------------------------------------------
@@ -136,21 +87,44 @@ void vtkMultiTriangulationMapper::PlanAttributes(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::UpdateColorRevision()
+void vtkMultiTriangulationMapper::MapTextureToMaterial(const char* texture, int material, int part)
+{
+  if (!texture || !*texture)
+  {
+    return;
+  }
+  auto& textures = this->Implementation->CellTextures;
+  auto found = std::find_if(textures.begin(), textures.end(),
+    [texture](const vtkMTPatchStreams::CellTexture& each) { return each.Name == texture; });
+  found = found == textures.end() ? textures.insert(found, { texture, -1, -1 }) : found;
+  found->Material = std::max(material, -1);
+  found->Part = std::max(part, -1);
+  ++this->Implementation->Plan.CellTexturesRevision;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::RemoveTextureMappings()
+{
+  if (!this->Implementation->CellTextures.empty())
+  {
+    this->Implementation->CellTextures.clear();
+    ++this->Implementation->Plan.CellTexturesRevision;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::PlanCellTextures(vtkActor* actor)
 {
   Internals& self = *this->Implementation;
-  self.NewColorState.Clear();
-  self.NewColorState.Append(self.Plan.Coloring, "coloring");
-  self.NewColorState.Append(self.Plan.Scalars, "array");
-  self.NewColorState.Append(this->ArrayComponent, "component");
-  self.NewColorState.Append(this->ColorMode, "color mode");
-  self.NewColorState.Append(this->LookupTable, "table");
-  self.NewColorState.Append(this->LookupTable ? this->LookupTable->GetMTime() : 0, "table mtime");
-  if (self.ColorState != self.NewColorState)
-  {
-    self.ColorState = self.NewColorState;
-    ++self.Plan.ColorRevision;
-  }
+  vtkMTPatchStreams::Plan& plan = self.Plan;
+  const bool isUsed = std::any_of(self.CellTextures.begin(), self.CellTextures.end(),
+    [actor](const vtkMTPatchStreams::CellTexture& each)
+    { return actor->GetProperty()->GetTexture(each.Name.c_str()) != nullptr; });
+  plan.CellTextures = isUsed ? self.CellTextures : std::vector<vtkMTPatchStreams::CellTexture>();
+  plan.Materials = vtkMTPatchAttributes::FindArray(self.Graph(), "MaterialIds", vtkMTArrayInfo::Cell);
+  plan.Parts = vtkMTPatchAttributes::FindArray(self.Graph(), "PartId", vtkMTArrayInfo::Cell);
 }
 
 //------------------------------------------------------------------------------
@@ -175,7 +149,7 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
     declare(floats.Attribute, one);
   }
   if (plan.Coloring == vtkMTPatchStreams::PointColors || plan.Coloring == vtkMTPatchStreams::OneColor ||
-    this->ColorBy != NONE)
+    this->ShowsCut())
   {
     vtkNew<vtkUnsignedCharArray> one;
     one->SetNumberOfComponents(4);
@@ -208,50 +182,31 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::MapPatchScalars(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
-{
-  const vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
-  const auto scalars = vtkMTPatchAttributes::GetArray(this->Implementation->Graph(), array, patch);
-  // Both are kept from the patch before, whose values these are not.
-  this->ForgetColors();
-  if (plan.Coloring == vtkMTPatchStreams::PointCoordinates)
-  {
-    this->MapScalarsToTexture(scalars, 1.0);
-    const auto* values = reinterpret_cast<const unsigned char*>(this->ColorCoordinates->GetPointer(0));
-    bytes.assign(values, values + sizeof(float) * 2 * static_cast<std::size_t>(scalars->GetNumberOfTuples()));
-    return;
-  }
-  const double alpha = this->LookupTable->GetAlpha();
-  this->LookupTable->SetAlpha(1.0);
-  const auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    this->LookupTable->MapScalars(scalars, this->ColorMode, this->ArrayComponent));
-  this->LookupTable->SetAlpha(alpha);
-  bytes = vtkMTPatchAttributes::GetColors(
-    colors, plan.Coloring == vtkMTPatchStreams::CellColors ? plan.PrimitivesPerTriangle : 1);
-}
-
-//------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::UpdateCellTextures(vtkRenderer* renderer)
 {
   Internals& self = *this->Implementation;
   const auto values = static_cast<unsigned int>(
     self.Painter->GetArena().GetTriangleCapacity() * static_cast<std::uint64_t>(self.Plan.PrimitivesPerTriangle));
-  const auto update = [&](vtkTextureObject*& texture, const char* stream, int type)
+  const auto fill = [&](vtkTextureObject* texture, const char* stream, int type, int components)
   {
-    vtkOpenGLBufferObject* buffer = self.Painter->GetArena().GetBuffer(stream);
+    vtkOpenGLBufferObject* buffer =
+      self.Painter->GetArena().GetBuffer(vtkMTPatchStreams::GetCellStream(stream, self.Plan));
     if (!buffer || buffer->GetHandle() == 0)
     {
       return false;
     }
-    if (!texture)
-    {
-      texture = vtkTextureObject::New();
-    }
     texture->SetContext(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-    return texture->CreateTextureBuffer(values, 4, type, buffer);
+    return texture->CreateTextureBuffer(values, components, type, buffer);
+  };
+  const auto update = [&fill](vtkTextureObject*& texture, const char* stream, int type)
+  {
+    texture = texture ? texture : vtkTextureObject::New();
+    return fill(texture, stream, type, 4);
   };
   this->HaveCellScalars = self.Plan.Coloring == vtkMTPatchStreams::CellColors &&
     update(this->CellScalarTexture, vtkMTPatchStreams::CellColorStream, VTK_UNSIGNED_CHAR);
   this->HaveCellNormals =
     self.Plan.CellNormals >= 0 && update(this->CellNormalTexture, vtkMTPatchStreams::CellNormalStream, VTK_FLOAT);
+  self.HasCellTextures =
+    !self.Plan.CellTextures.empty() && fill(self.CellTextureBuffer, vtkMTPatchStreams::CellTextureStream, VTK_FLOAT, 1);
 }

@@ -87,6 +87,10 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   {
     return;
   }
+  if (self.HasCellTextures)
+  {
+    self.CellTextureBuffer->Activate();
+  }
   this->UpdateShaders(cellBO, renderer, actor);
   if (!cellBO.Program)
   {
@@ -100,11 +104,15 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   }
   vtkMTTrianglePainter::Colors colors;
   colors.All = self.Plan.Coloring == vtkMTPatchStreams::OneColor ? &self.FieldColor : nullptr;
-  if (this->ColorBy != NONE)
+  if (this->ShowsCut())
   {
     colors.OfPatch = [this](std::uint32_t arc) { return this->GetPatchColor(arc); };
   }
   self.Painter->Draw(cellBO.Program, mode, self.Cut->Arcs, colors);
+  if (self.HasCellTextures)
+  {
+    self.CellTextureBuffer->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------

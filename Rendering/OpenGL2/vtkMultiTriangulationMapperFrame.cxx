@@ -51,7 +51,7 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
     self.Rate.EndFrame(static_cast<std::uint64_t>(this->NumberOfTriangles));
   }
   self.Rate.SetGiven(this->DrawingRate);
-  self.Painter->Apply(self.Graph(), self.Plan,
+  self.Painter->Apply(self.Graph(), self.Plan, actor,
     [this](int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
     { this->MapPatchScalars(array, patch, bytes); });
 
@@ -59,7 +59,7 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   vtkMTFrame::Settings settings;
   settings.Cut.PixelError = this->PixelError;
   settings.Cut.TriangleLimit = GetLower(static_cast<std::uint64_t>(this->TriangleLimit),
-    self.Rate.GetTriangles(actor->GetAllocatedRenderTime(), self.Frame.GetNumberOfSourceTriangles()));
+    self.Rate.GetTriangles(actor->GetAllocatedRenderTime(), self.Frame.GetNumberOfFinestTriangles()));
   settings.Cut.ErrorMetric = this->ErrorMetric == EDGE_LENGTH ? vtkMTTargetCut::EdgeLength : vtkMTTargetCut::Distance;
   settings.Cut.FrustumCulling = this->FrustumCulling;
   // A frame that mirrors turns the triangles, and the cones that say what faces away are those of the lattice.

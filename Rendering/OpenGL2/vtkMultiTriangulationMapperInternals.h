@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkStateStorage.h"
+#include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
@@ -26,6 +27,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <string>
 #include <vector>
 
 struct vtkMultiTriangulationMapper::Internals
@@ -39,7 +41,21 @@ struct vtkMultiTriangulationMapper::Internals
   bool DrewPatches = false;
 
   vtkMTPatchStreams::Plan Plan;
+  std::vector<vtkMTPatchStreams::CellTexture> CellTextures;      // as they were asked for
+  vtkNew<vtkTextureObject> CellTextureBuffer;                    // which of them each triangle has
+  bool HasCellTextures = false;                                  // in this pass
   std::array<unsigned char, 4> FieldColor{ 255, 255, 255, 255 }; // of everything, where Plan says so
+  // How values become colours.
+  enum ConversionType
+  {
+    Mapped, // as VTK does it
+    Named,  // by a table of values that have names and colours
+    Direct, // they are colours
+    ByPlace // by elevation
+  };
+  ConversionType Conversion = Mapped;
+  double FullColor = 255.0;
+  std::string ForeignArrays; // that were warned of
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
 
@@ -77,7 +93,7 @@ struct vtkMultiTriangulationMapper::Internals
     if (this->BoundsSource.lock() != source)
     {
       this->BoundsSource = source;
-      source->GetGraph().GetBounds(this->Bounds.data());
+      source->GetKnownGraph().GetBounds(this->Bounds.data());
     }
     return this->Bounds;
   }

@@ -7,6 +7,7 @@
 // units are powers of two, so at ordinary sizes the shaders compute what VTK's do, bit for bit.
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMTCellTexturesDec.h"
 #include "vtkMTLatticeDec.h"
 #include "vtkMTLatticeImpl.h"
 #include "vtkMTLightDistance.h"
@@ -120,8 +121,29 @@ void vtkMultiTriangulationMapper::ReplaceShaderValues(
   substitute("float distanceVC = length(vertLightDirectionVC);", vtkMTLightDistance);
   substitute("  distanceVC = length(L);\n", vtkMTPbrLightDistance);
   const char* const declaration = "uniform int PrimitiveIDOffset;";
+  this->SubstituteCellTextures(source);
   substitute(declaration, std::string(declaration) + "\n" + vtkMTViewUnitDec);
   shaders[vtkShader::Fragment]->SetSource(source);
+}
+
+//------------------------------------------------------------------------------
+// Where a texture is not that of the cell, its colour is 1.
+void vtkMultiTriangulationMapper::SubstituteCellTextures(std::string& source) const
+{
+  const Internals& self = *this->Implementation;
+  for (std::size_t i = 0; self.HasCellTextures && i < self.Plan.CellTextures.size(); ++i)
+  {
+    const std::string read = "= texture(" + self.Plan.CellTextures[i].Name + ",";
+    const std::string number = std::to_string(i);
+    vtkShaderProgram::Substitute(source, read,
+      "= vec4(float(getCellTexture() != " + number + ")) + float(getCellTexture() == " + number + ") " +
+        std::string("* ") + read.substr(2));
+  }
+  const std::string declaration = "uniform int PrimitiveIDOffset;";
+  if (self.HasCellTextures)
+  {
+    vtkShaderProgram::Substitute(source, declaration, declaration + "\n" + vtkMTCellTexturesDec);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -137,6 +159,10 @@ void vtkMultiTriangulationMapper::SetMapperShaderParameters(
   const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
   glUniform3i(where, origin[0], origin[1], origin[2]);
   this->SetClippingPlanes(cellBO, actor);
+  if (this->Implementation->HasCellTextures && cellBO.Program->IsUniformUsed("cellTextures"))
+  {
+    cellBO.Program->SetUniformi("cellTextures", this->Implementation->CellTextureBuffer->GetTextureUnit());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -173,7 +173,7 @@ TEST_F(OutOfCore, LeastLimitThatARefusalNamesIsAcceptedWhateverIsResident)
       {
         const auto least = static_cast<int>(this->GetLeastLimit(mesh, tooLittle, *refused));
         const MTRun run = this->Bmt({ "build", this->Path(mesh), "-o", this->Path("out.bmt"), "--threads", "4",
-                                      "--memory", std::to_string(least) + "MiB", "--json" },
+                                      "--memory", std::to_string(least) + " MiB", "--json" },
           *accepted);
         ASSERT_EQ(run.Exit, 0) << run.Err;
         const double peak = run.Json()["peak_memory_bytes"].get<double>() / MiB;

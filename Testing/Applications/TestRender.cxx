@@ -5,7 +5,10 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
+#include "vtkPNGWriter.h"
 
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <set>
 
@@ -134,6 +137,57 @@ TEST_F(Render, CamerasAndColoursDoWhatTheySay)
     this->Bmt({ "render", this->Path("sphere.bmt"), "-o", this->Path("no.png"), "--camera=0,0,0,0,0,0,0,1,0" });
   EXPECT_EQ(senseless.Exit, 1) << senseless.Err;
   EXPECT_FALSE(std::filesystem::exists(this->Path("no.png")));
+}
+
+// A square in the plane z = 0 of four triangles: two materials, the left one with a texture, red below and green above.
+TEST_F(Render, TexturesAreDrawnOnTheirMaterialsAndMissingOnesListed)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(8, 8, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int j = 0; j < 8; ++j)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0));
+      pixel[0] = j < 4 ? 255 : 0;
+      pixel[1] = j < 4 ? 0 : 255;
+      pixel[2] = 0;
+    }
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(this->Path("two.png").c_str());
+  writer->SetInputData(image);
+  writer->Write();
+  this->WriteFile("square.mtl",
+    "newmtl leaf\nKd 1 1 1\nmap_Kd two.png\nnewmtl plain\nKd 1 1 1\n"
+    "newmtl lost\nKd 1 1 1\nmap_Kd lost.jpg\n");
+  this->WriteFile("lost.jpg", "\xff\xd8\xff\xe0 no picture");
+  this->WriteFile("square.obj",
+    "mtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 3 0 0\nv 3 1 0\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl leaf\nf 1/1 2/2 5/3\nf 1/1 5/3 4/4\n"
+    "usemtl plain\nf 2/1 3/2 6/3\nf 2/1 6/3 5/4\nusemtl lost\nf 3/1 7/2 8/3\nf 3/1 8/3 6/4\n");
+  this->BmtJson({ "build", this->Path("square.obj"), "-o", this->Path("square.bmt") });
+  const nlohmann::json json = this->BmtJson({ "render", this->Path("square.bmt"), "-o", this->Path("picture.png"),
+    "--size", "400x400", "--camera=1,0.5,4,1,0.5,0,0,1,0" });
+  std::cout << json["texture_problems"].dump() << "\n";
+  ASSERT_EQ(json["texture_problems"].size(), 1u);
+  EXPECT_NE(json["texture_problems"][0].get<std::string>().find("lost.jpg"), std::string::npos);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(this->Path("picture.png").c_str());
+  reader->Update();
+  const auto look = [&reader](double x, double y)
+  {
+    // Pixels of a unit in the plane: the whole height of 400 is 2 * 4 * tan(15 degrees).
+    const double scale = 400.0 / (8.0 * std::tan(0.2617993877991494));
+    const auto* pixel = static_cast<const unsigned char*>(reader->GetOutput()->GetScalarPointer(
+      static_cast<int>(200.0 + scale * (x - 1.0)), static_cast<int>(200.0 + scale * (y - 0.5)), 0));
+    return std::array<int, 3>{ pixel[0] > 150, pixel[1] > 150, pixel[2] > 150 };
+  };
+  EXPECT_EQ(look(0.5, 0.2), (std::array<int, 3>{ 1, 0, 0 }));
+  EXPECT_EQ(look(0.5, 0.8), (std::array<int, 3>{ 0, 1, 0 }));
+  EXPECT_EQ(look(1.5, 0.2), (std::array<int, 3>{ 1, 1, 1 }));
+  EXPECT_EQ(look(1.5, 0.8), (std::array<int, 3>{ 1, 1, 1 }));
 }
 
 TEST_F(Render, WithoutADisplayThereIsAMessageAndNoAbort)

@@ -8,6 +8,9 @@
 #include "vtkMTFileSource.h"
 #include "vtkMTScratchStore.h"
 #include "vtkMTTriangleStream.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationReader.h"
+#include "vtkMultiTriangulationWriter.h"
 
 #include "vtkPolyData.h"
 
@@ -65,6 +68,44 @@ protected:
 
   vtkMTFileSource Model;
 };
+
+TEST_F(FileBuilderInputs, ModelIsTakenAtThePlaceOfItsFrame)
+{
+  this->MakeSphere(1280);
+  {
+    const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+    builder->AddFileName((this->Folder / "sphere.ply").c_str());
+    this->Build(builder);
+  }
+  double before[6];
+  this->Model.GetGraph().GetBounds(before);
+  const vtkNew<vtkMultiTriangulationReader> reader;
+  reader->SetFileName((this->Folder / "out.bmt").c_str());
+  const vtkNew<vtkMultiTriangulation> moved;
+  reader->Update();
+  moved->ShallowCopy(reader->GetOutput());
+  const double frame[16] = { -2, 0, 0, 10, 0, 2, 0, 0, 0, 0, 2, -5, 0, 0, 0, 1 };
+  ASSERT_TRUE(moved->ApplyTransform(frame));
+  const vtkNew<vtkMultiTriangulationWriter> writer;
+  writer->SetInputData(moved);
+  writer->SetFileName((this->Folder / "moved.bmt").c_str());
+  ASSERT_EQ(writer->Write(), 1);
+
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->AddFileName((this->Folder / "moved.bmt").c_str());
+  this->Build(builder);
+  double after[6];
+  this->Model.GetGraph().GetBounds(after);
+  std::printf("x %g to %g became %g to %g\n", before[0], before[1], after[0], after[1]);
+  const double expected[6] = { 10 - 2 * before[1], 10 - 2 * before[0], 2 * before[2], 2 * before[3], 2 * before[4] - 5,
+    2 * before[5] - 5 };
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(after[i], expected[i], 1e-3);
+  }
+  EXPECT_EQ(this->Model.GetGraph().InputCounts.Triangles, 1280u);
+  EXPECT_FALSE(this->Model.GetGraph().Frame);
+}
 
 TEST_F(FileBuilderInputs, SeveralMeshesBecomeParts)
 {

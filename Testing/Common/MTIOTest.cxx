@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTIOTest.h"
 
+#include "vtkMTFileSink.h"
+
 #include "vtkMTPatchOrder.h"
 
 #include <algorithm>
@@ -142,6 +144,26 @@ void ExpectEqual(const vtkMTGraph& a, const vtkMTGraph& b)
   EXPECT_EQ(a.InputReport, b.InputReport);
   EXPECT_EQ(a.Blocked, b.Blocked);
   EXPECT_EQ(a.FullySharedBorders, b.FullySharedBorders);
+}
+
+//------------------------------------------------------------------------------
+Bytes StoreModel(const vtkMTPatchSource& model)
+{
+  const Folder folder;
+  const std::string path = folder / "model.bmt";
+  vtkMTFileSink sink(path);
+  const vtkMTGraph& graph = model.GetGraph();
+  std::string error;
+  bool done = sink.Begin(graph.Arrays);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t arc = 0; done && arc < graph.Arcs.size(); ++arc)
+  {
+    vtkMTPatch patch;
+    done = model.ReadPatch(arc, nullptr, patch, error) && sink.WritePatch(std::move(patch));
+    order.push_back(arc);
+  }
+  EXPECT_TRUE(done && sink.Finish(graph, order)) << sink.GetError() << error;
+  return ReadFile(path);
 }
 
 //------------------------------------------------------------------------------

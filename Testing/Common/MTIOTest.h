@@ -88,6 +88,9 @@ bool AreAllEqual(const std::vector<Item>& a, const std::vector<Item>& b)
 
 void ExpectEqual(const vtkMTGraph& a, const vtkMTGraph& b);
 
+/// A file of all patches of a model, in the order of the arcs.
+Bytes StoreModel(const vtkMTPatchSource& model);
+
 /// Graph and all patches, byte for byte, where b was made of a by storing it.
 void ExpectStored(const vtkMTPatchSource& a, const vtkMTPatchSource& b);
 }

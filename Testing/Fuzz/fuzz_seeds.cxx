@@ -131,5 +131,17 @@ int main(int argc, char** argv)
     std::ofstream(folder + "/text.obj") << "mtllib a.mtl\nv 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng one\n"
                                            "usemtl red\nf 1/1/1 2/1/1 3/1/1\nf -3//-1 -2//-1 -1//-1\n";
   }
+  if (name == "glb")
+  {
+    std::ofstream(folder + "/text.gltf")
+      << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[-1,1,1],)"
+         R"("extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}}}],"meshes":[{"primitives":)"
+         R"([{"attributes":{"POSITION":0,"_ID":1,"COLOR_0":0},"mode":5,"material":0}]}],"materials":[{"name":"a",)"
+         R"("pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],"accessors":[{"bufferView":0,"componentType":5126,)"
+         R"("count":3,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},"values":)"
+         R"({"bufferView":0,"byteOffset":12}}},{"bufferView":0,"componentType":5121,"normalized":true,"count":3,)"
+         R"("type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":38,"byteLength":2}],)"
+         R"("buffers":[{"byteLength":42,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA"}]})";
+  }
   return done ? 0 : 1;
 }

@@ -6,7 +6,6 @@
 #include "MTTestModel.h"
 
 #include "vtkMTCut.h"
-#include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTMemoryByteSource.h"
 #include "vtkMTRandomCut.h"
@@ -68,19 +67,7 @@ private:
     vtkMTGraph& graph = model.Store->GetMutableGraph();
     graph.Measures = { { "one", std::vector<double>(graph.Nodes.size(), 1.0) } };
     graph.ArcRanges.Columns = { { 0, 0 }, { 1, 1 } };
-    Folder folder;
-    vtkMTFileSink sink(folder / "model.bmt");
-    bool done = sink.Begin(graph.Arrays);
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t arc = 0; done && arc < graph.Arcs.size(); ++arc)
-    {
-      vtkMTPatch patch;
-      std::string error;
-      done = model.Store->ReadPatch(arc, nullptr, patch, error) && sink.WritePatch(std::move(patch));
-      order.push_back(arc);
-    }
-    EXPECT_TRUE(done && sink.Finish(graph, order)) << sink.GetError();
-    model.File = ReadFile(folder / "model.bmt");
+    model.File = StoreModel(*model.Store);
     return model;
   }
 };
@@ -310,20 +297,7 @@ TEST(FirstPages, DamagedPageEndsWhatIsKnownAndNothingElse)
 TEST(FirstPages, ModelOfOnePageIsWholeAtOnce)
 {
   const auto model = MTTestModel::MakeTube();
-  Folder folder;
-  vtkMTFileSink sink(folder / "model.bmt");
-  const vtkMTGraph& graph = model->GetGraph();
-  ASSERT_TRUE(sink.Begin(graph.Arrays));
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
-  {
-    vtkMTPatch patch;
-    std::string error;
-    ASSERT_TRUE(model->ReadPatch(arc, nullptr, patch, error) && sink.WritePatch(std::move(patch)));
-    order.push_back(arc);
-  }
-  ASSERT_TRUE(sink.Finish(graph, order)) << sink.GetError();
-  const auto bytes = std::make_shared<CountingSource>(ReadFile(folder / "model.bmt"));
+  const auto bytes = std::make_shared<CountingSource>(StoreModel(*model));
   vtkMTFileSource source;
   std::string error;
   ASSERT_TRUE(source.OpenFirstPages(bytes, error)) << error;

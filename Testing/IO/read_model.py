@@ -198,7 +198,8 @@ class Model:
         self.box = stream.unpack("6i")
         self.levels, self.shared_borders, arrays, blobs, measures, columns = stream.unpack("6I")
         self.refinement, self.has_frame = stream.unpack("BB")
-        require(self.refinement <= 1 and self.has_frame <= 1 and not any(stream.take(6)), "impossible metadata")
+        require(self.refinement <= 1 and self.has_frame <= 1 and not any(stream.take(2)), "impossible metadata")
+        self.largest_wedges = stream.unpack("I")[0]
         self.frame = stream.unpack("16d")
         self.arrays = [Array(stream) for _ in range(arrays)]
         self.blobs = [(stream.string(), stream.string(), stream.mapping(stream.string), stream.unpack("Q")[0])
@@ -245,6 +246,7 @@ class Model:
         finest = [arc for arc in self.arcs if self.refinement == 1 or arc[1] == len(self.nodes) - 1]
         require(self.finest_triangles == sum(arc[2] for arc in finest), "another number of finest triangles")
         require(self.levels == max((self.nodes[arc[1]][7] + 1 for arc in self.arcs), default=0), "other levels")
+        require(self.largest_wedges == max((arc[4] for arc in self.arcs), default=0), "another largest patch")
         boxes = [arc[6:12] for arc in self.arcs if arc[6] <= arc[7]]
         if boxes:
             box = tuple((max if i % 2 else min)(b[i] for b in boxes) for i in range(6))

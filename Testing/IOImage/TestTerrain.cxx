@@ -7,11 +7,6 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-#ifdef MT_HAS_GDAL
-#include <gdal.h>
-#include <ogr_srs_api.h>
-#endif
-
 #include <cmath>
 #include <cstdio>
 
@@ -211,64 +206,24 @@ TEST_F(Terrain, TilesOfAnotherGridAreRefused)
   EXPECT_NE(error.find("N10E020.hgt"), std::string::npos) << error;
 }
 
-#ifdef MT_HAS_GDAL
-namespace
+TEST_F(Terrain, TilesOnBothSidesOfThe180thMeridianAreNeighbours)
 {
-// 5 x 4 samples; the last row has a void.
-void WriteGeoTiff(const std::string& path, const char* system, double west, double north, double step)
-{
-  GDALAllRegister();
-  GDALDatasetH file = GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), 5, 4, 1, GDT_Float32, nullptr);
-  double transform[6] = { west - 0.5 * step, step, 0.0, north + 0.5 * step, 0.0, -step };
-  GDALSetGeoTransform(file, transform);
-  OGRSpatialReferenceH reference = OSRNewSpatialReference(nullptr);
-  ASSERT_EQ(OSRSetFromUserInput(reference, system), OGRERR_NONE);
-  GDALSetSpatialRef(file, reference);
-  OSRDestroySpatialReference(reference);
-  float heights[20];
-  for (int i = 0; i < 20; ++i)
+  this->WriteSrtm("S18E179.hgt", 179, -18);
+  this->WriteSrtm("S18W180.hgt", -180, -18);
+  for (const bool isEastFirst : { false, true })
   {
-    heights[i] = i == 19 ? -9999.0f : 100.0f * static_cast<float>(i / 5) + static_cast<float>(i % 5);
+    vtkMTTerrain terrain;
+    terrain.Degrees = true;
+    std::string error;
+    ASSERT_TRUE(terrain.AddTile(this->Path(isEastFirst ? "S18E179.hgt" : "S18W180.hgt"), error)) << error;
+    ASSERT_TRUE(terrain.AddTile(this->Path(isEastFirst ? "S18W180.hgt" : "S18E179.hgt"), error)) << error;
+    vtkNew<vtkPolyData> mesh;
+    ASSERT_TRUE(terrain.Make(mesh, error)) << error;
+    EXPECT_EQ(mesh->GetNumberOfPoints(), 21 * 11);
+    double bounds[6];
+    mesh->GetBounds(bounds);
+    EXPECT_NEAR(bounds[0], 179.0, 1e-9);
+    EXPECT_NEAR(bounds[1], 181.0, 1e-9);
+    EXPECT_EQ(terrain.GetReport().at("terrain_gap_samples"), 0);
   }
-  GDALRasterBandH band = GDALGetRasterBand(file, 1);
-  GDALSetRasterNoDataValue(band, -9999.0);
-  ASSERT_EQ(GDALRasterIO(band, GF_Write, 0, 0, 5, 4, heights, 5, 4, GDT_Float32, 0, 0), CE_None);
-  GDALClose(file);
 }
-}
-
-TEST_F(Terrain, GeoTiffLiesWhereItSays)
-{
-  WriteGeoTiff(this->Path("utm.tif"), "EPSG:32610", 600000.0, 5000000.0, 30.0);
-  vtkMTTerrain terrain;
-  std::string error;
-  ASSERT_TRUE(terrain.AddTile(this->Path("utm.tif"), error)) << error;
-  vtkNew<vtkPolyData> mesh;
-  ASSERT_TRUE(terrain.Make(mesh, error)) << error;
-  EXPECT_EQ(mesh->GetNumberOfPoints(), 19);
-  EXPECT_EQ(mesh->GetNumberOfPolys(), 2 * 4 * 3 - 1);
-  double bounds[6];
-  mesh->GetBounds(bounds);
-  EXPECT_EQ(bounds[0], 600000.0);
-  EXPECT_EQ(bounds[1], 600120.0);
-  EXPECT_EQ(bounds[2], 5000000.0 - 90.0);
-  EXPECT_EQ(bounds[3], 5000000.0);
-  double north[3];
-  mesh->GetPoint(mesh->GetNumberOfPoints() - 5, north);
-  EXPECT_EQ(north[2], 0.0) << "the first row of the file is in the north";
-
-  WriteGeoTiff(this->Path("degrees.tif"), "EPSG:4326", 10.0, 45.0, 0.001);
-  vtkMTTerrain geographic;
-  geographic.Degrees = true;
-  ASSERT_TRUE(geographic.AddTile(this->Path("degrees.tif"), error)) << error;
-  EXPECT_FALSE(geographic.AddTile(this->Path("utm.tif"), error)) << "another system";
-  ASSERT_TRUE(geographic.Make(mesh, error)) << error;
-  mesh->GetBounds(bounds);
-  EXPECT_NEAR(bounds[0], 10.0, 1e-9);
-  EXPECT_NEAR(bounds[3], 45.0, 1e-9);
-
-  WriteFile(this->Path("noise.tif"), std::string(300, 'x'));
-  EXPECT_FALSE(geographic.AddTile(this->Path("noise.tif"), error));
-  EXPECT_NE(error.find("noise.tif"), std::string::npos) << error;
-}
-#endif

@@ -122,15 +122,33 @@ TEST_F(Textures, OfGltfMaterialsAreFoundInTheJson)
     R"("textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,iVBORw0KGgphYmM="}],)"
     R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],)"
     R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"buffer.bin"}]})");
-  // VTK's reader looks into the image as well and may refuse it; the collector needs the file alone.
-  vtkMTTextureCollector collector;
+  vtkMTTextureCollector collector = this->Collect("scene.gltf");
   vtkNew<vtkPolyData> mesh;
-  collector.Collect((this->Folder / "mesh" / "scene.gltf").string(), mesh);
   ASSERT_EQ(collector.GetTextures().size(), 1u) << testing::PrintToString(collector.GetProblems());
   EXPECT_EQ(collector.GetTextures()[0].MimeType, "image/png");
   EXPECT_EQ(collector.GetTextures()[0].Bytes.size(), 11u);
   EXPECT_EQ(collector.GetTextures()[0].MaterialName, "m");
-  this->Write("bad.gltf", R"({"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":7}}}]})");
-  collector.Collect((this->Folder / "mesh" / "bad.gltf").string(), mesh);
-  EXPECT_EQ(collector.GetProblems().size(), 1u);
+  EXPECT_EQ(collector.GetTextures()[0].Material, 0);
+  const auto count = [&](const std::string& rest)
+  {
+    this->Write("bad.gltf", R"({"asset":{"version":"2.0"},)" + rest + "}");
+    vtkMTTextureCollector bad;
+    bad.Collect((this->Folder / "mesh" / "bad.gltf").string(), mesh);
+    EXPECT_TRUE(bad.GetTextures().empty() || bad.GetTextures()[0].MimeType == "image/webp") << rest;
+    return bad.GetProblems().size();
+  };
+  const std::string material = R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])";
+  EXPECT_EQ(count(R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":7}}}])"), 1u);
+  EXPECT_EQ(count(R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":-1}}}])"), 1u);
+  EXPECT_EQ(count(material + R"(,"textures":[{}])"), 1u);
+  EXPECT_EQ(count(material + R"(,"textures":[{"source":3}],"images":[{"uri":"gone.png"}])"), 1u);
+  EXPECT_EQ(count(material + R"(,"textures":[{"source":0}],"images":[{"uri":"gone.png"}])"), 1u);
+  EXPECT_EQ(count(material + R"(,"textures":[{"source":0}],"images":[{"bufferView":3}])"), 1u);
+  EXPECT_EQ(
+    count(R"("materials":[{"normalTexture":{"index":0}}],"textures":[{"source":0}],"images":[{"uri":"g.png"}])"), 1u);
+  // WebP is carried, and told: VTK does not draw it.
+  EXPECT_EQ(count(material +
+              R"(,"textures":[{"extensions":{"EXT_texture_webp":{"source":0}}}],)"
+              R"("images":[{"uri":"data:image/webp;base64,UklGRgAAAABXRUJQVlA4IAAAAAA="}])"),
+    1u);
 }

@@ -62,6 +62,27 @@ class Package(unittest.TestCase):
         self.assertEqual(len(errors), 1)
         self.assertIn("no-such-file.ply", errors[0])
 
+    def test_mapper_colours_by_elevation_and_by_material(self):
+        mapper = multitriangulation.vtkMultiTriangulationMapper()
+        errors = []
+        mapper.AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
+        mapper.SetColorByElevation((0, 0, float("nan")), (0, 0, 2), (0, 100))
+        mapper.SetColorByElevation((0, 0, 2), (0, 0, 2), (0, 100))
+        self.assertEqual(len(errors), 2)
+        self.assertEqual(mapper.GetColorBy(), mapper.NONE)
+        mapper.SetColorByElevation((0, 0, -1), (0, 0, 2), (0, 100))
+        self.assertEqual(mapper.GetColorBy(), mapper.ELEVATION)
+        self.assertEqual(mapper.GetElevationLowPoint(), (0, 0, -1))
+        self.assertEqual(mapper.GetElevationHighPoint(), (0, 0, 2))
+        self.assertEqual(mapper.GetElevationRange(), (0, 100))
+        self.assertEqual(mapper.GetScalarRange(), (0, 100))
+        before = mapper.GetMTime()
+        mapper.MapTextureToMaterial("", 3)
+        self.assertEqual(mapper.GetMTime(), before)
+        mapper.MapTextureToMaterial("bark", 3)
+        self.assertGreater(mapper.GetMTime(), before)
+        self.assertFalse(mapper.SelectColors())
+
     def test_filters_of_a_pipeline(self):
         names = (
             "vtkMultiTriangulationBuilder", "vtkMultiTriangulationTransform", "vtkMultiTriangulationCutFilter",

@@ -619,6 +619,21 @@ std::vector<State> GetStates()
       back->SetColor(0.2, 0.9, 0.2);
       scene.Actor->SetBackfaceProperty(back);
     });
+  // From either side, and twice mirrored.
+  for (const double turn : { 0.0, 200.0 })
+  {
+    for (const bool twice : { false, true })
+    {
+      add(std::string("Mirrored") + (twice ? "Twice" : "Once") + (turn > 0.0 ? "FromBelow" : ""),
+        [=](MTScene& scene)
+        {
+          plain(scene);
+          scene.Actor->SetScale(-1.0, twice ? -1.3 : 1.2, 0.9);
+          scene.Actor->RotateX(turn);
+          property(scene)->SetSpecular(0.4);
+        });
+    }
+  }
   MTGridModel cellNormals;
   cellNormals.WithPointNormals = false;
   cellNormals.WithCellNormals = true;

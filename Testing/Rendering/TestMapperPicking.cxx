@@ -302,6 +302,7 @@ TEST(Picking, LocatorReadsOnlyTheIdsOfThePatchThatIsHit)
   const int again = source->Reads;
   EXPECT_EQ(PickCell(picker, scene, 150, 150), cell);
   std::cout << source->Reads - again << " where none is in main memory\n";
-  EXPECT_LT(source->Reads - again, mapper->GetNumberOfPatches());
+  EXPECT_GT(source->Reads - again, 0);
+  EXPECT_LE(source->Reads - again, 4); // those whose boxes the line meets, and the ids of the one that is hit
 }
 }

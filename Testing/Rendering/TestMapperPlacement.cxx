@@ -137,6 +137,53 @@ TEST(Placement, MirroredModelIsThatOfItsCut)
   }
 }
 
+// With every side culled, seen from above and from below: what is left is lit and culled as VTK does it.
+TEST(Placement, MirroredActorsAreLitAndCulledAsVtkDoesIt)
+{
+  int drawn = 0;
+  int empty = 0;
+  int away = 0;
+  for (int which = 0; which < 24; ++which)
+  {
+    vtkNew<vtkMultiTriangulationTransform> moved;
+    moved->SetInputData(MakeInput());
+    moved->SetTransform(MakeTransform(which % 2 == 1));
+    vtkNew<vtkMultiTriangulationMapper> mapper;
+    mapper->SetInputConnection(moved->GetOutputPort());
+    mapper->SetPixelError(0.5);
+    mapper->ScalarVisibilityOff();
+    MTScene scene(mapper, 150, 150);
+    scene.Render();
+    mapper->FreezeCutOn();
+    vtkNew<vtkPolyData> cut;
+    ASSERT_TRUE(mapper->GetCut(cut));
+    vtkNew<vtkPolyDataMapper> stock;
+    stock->SetInputData(cut);
+    stock->ScalarVisibilityOff();
+    MTScene expected(stock, 150, 150);
+    for (MTScene* each : { &scene, &expected })
+    {
+      each->Actor->SetScale(which / 2 % 2 == 1 ? -1.0 : 1.0, 1.0, 1.2);
+      each->Actor->GetProperty()->SetBackfaceCulling(which / 8 == 1);
+      each->Actor->GetProperty()->SetFrontfaceCulling(which / 8 == 2);
+      each->Actor->GetProperty()->SetSpecular(0.5);
+      each->Actor->RotateX(which / 4 % 2 == 1 ? 160.0 : 0.0);
+    }
+    Look(expected);
+    LookLike(scene, expected);
+    const auto picture = expected.Render();
+    const MTDifference difference = MTDifference::Compare(scene.Render(), picture);
+    EXPECT_LE(difference.ClearlyOff, difference.Drawn / 100) << "case " << which << ": " << difference;
+    ++(difference.Drawn > 1000 ? drawn : empty);
+    away += mapper->GetNumberOfFacingAwayPatches() > 0;
+  }
+  std::cout << drawn << " pictures of something, " << empty << " where that is culled, " << away
+            << " with patches left out for facing away\n";
+  EXPECT_GE(drawn, 12);
+  EXPECT_GE(empty, 4);
+  EXPECT_GE(away, 1);
+}
+
 TEST(Placement, ANewPlaceReadsAndUploadsNothing)
 {
   vtkNew<vtkTransform> transform;

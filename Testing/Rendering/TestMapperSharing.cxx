@@ -4,6 +4,7 @@
 #include "MTPicture.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -21,6 +22,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace
@@ -137,6 +139,63 @@ TEST(MapperSharing, TwoActorsInARendererHaveTheirOwnCuts)
   scene.Render();
   EXPECT_EQ(mapper->GetNumberOfCuts(), 2);
   EXPECT_EQ(mapper->GetNumberOfUploadedBytes(), uploaded);
+}
+
+// Surfaces, lines and points, smooth and flat, with data of cells: each has data on the GPU that the others have not.
+TEST(MapperSharing, ActorsOfDifferentRepresentationTakeNothingFromEachOther)
+{
+  for (const bool cells : { false, true })
+  {
+    const auto mapper = MakeMapper();
+    if (cells)
+    {
+      mapper->SetScalarModeToUseCellFieldData();
+      mapper->SelectColorArray("Block");
+      mapper->SetScalarRange(0.0, 63.0);
+    }
+    MTScene scene(mapper, 150, 150);
+    const int representations[] = { VTK_WIREFRAME, VTK_POINTS, VTK_SURFACE };
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkNew<vtkActor> other;
+      other->SetMapper(mapper);
+      other->SetPosition(0.05 * (i + 1), 0.1 * (i + 1), -0.06 * (i + 1));
+      other->GetProperty()->SetRepresentation(representations[i]);
+      other->GetProperty()->SetInterpolation(i == 2 ? VTK_FLAT : VTK_GOURAUD);
+      scene.Renderer->AddActor(other);
+    }
+    LookAtCorner(scene.Renderer, false);
+    scene.Render();
+    const auto picture = scene.Render();
+    const vtkIdType uploaded = mapper->GetNumberOfUploadedBytes();
+    const vtkIdType reads = mapper->GetNumberOfReads();
+    const vtkIdType cuts = mapper->GetNumberOfCuts();
+    const vtkIdType all = mapper->GetGraphicsMemory();
+    MTWritePicture(
+      picture, std::string(MT_TEST_OUTPUT_DIRECTORY) + "/Representations" + (cells ? "OfCells" : "") + ".png");
+    for (int frame = 0; frame < 5; ++frame)
+    {
+      EXPECT_EQ(MTDifference::Compare(scene.Render(), picture).Pixels, 0u);
+      EXPECT_EQ(mapper->GetNumberOfUploadedBytes(), uploaded) << "frame " << frame;
+      EXPECT_EQ(mapper->GetNumberOfReads(), reads) << "frame " << frame;
+      EXPECT_EQ(mapper->GetNumberOfCuts(), cuts) << "frame " << frame;
+    }
+    // The others are drawn no more: what only they needed goes after some frames.
+    vtkActorCollection* actors = scene.Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      actor->SetVisibility(actor == scene.Actor);
+    }
+    for (int frame = 0; frame < 260; ++frame)
+    {
+      scene.Render();
+    }
+    std::cout << uploaded << " bytes uploaded for four actors, " << all << " on the GPU; "
+              << mapper->GetGraphicsMemory() << " when three of them are gone\n";
+    EXPECT_LT(mapper->GetGraphicsMemory(), all);
+    EXPECT_EQ(mapper->GetNumberOfUploadedBytes(), uploaded);
+  }
 }
 
 // Eyes far apart, so that each sees what the other does not.

@@ -488,6 +488,6 @@ TEST_F(Frame, AnotherSourceForgetsEverything)
   EXPECT_TRUE(this->Drawn.SetSource(nullptr, vtkMTPatchLoader::Settings()));
   EXPECT_EQ(this->Drawn.GetLast(), nullptr);
   EXPECT_EQ(this->Drawn.GetCache(), nullptr);
-  EXPECT_EQ(this->Drawn.GetNumberOfSourceTriangles(), 0u);
+  EXPECT_EQ(this->Drawn.GetNumberOfFinestTriangles(), 0u);
 }
 }

@@ -9,21 +9,26 @@
 #include "vtkMultiTriangulationVerifier.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 
 namespace
@@ -132,7 +137,7 @@ TEST(Verifier, AGoodModelPassesEveryCheckAgainstItsInput)
   }
 }
 
-TEST(Verifier, TheFilterGivesTheSameTable)
+TEST(Verifier, TheFilterGivesTheSameTableAndHoldsTheMeshAgainstTheFinestLevel)
 {
   const auto store = MTTestModel::MakeTube();
   const auto mesh = MakeInput(*store);
@@ -146,8 +151,135 @@ TEST(Verifier, TheFilterGivesTheSameTable)
   vtkNew<vtkMultiTriangulationVerifier> alone;
   SetSmall(alone);
   ASSERT_TRUE(alone->Verify(*store, Open(mesh)));
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 8);
-  EXPECT_EQ(Dump(filter->GetOutput()), Dump(alone->GetChecks()));
+  std::cout << Dump(filter->GetOutput());
+  EXPECT_TRUE(filter->IsValid());
+  EXPECT_TRUE(filter->GetInputChecked());
+  EXPECT_FALSE(alone->GetInputChecked()) << "a stream of triangles may come from the builder's reader";
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 15);
+  const std::string whole = Dump(filter->GetOutput());
+  std::istringstream lines(Dump(alone->GetChecks()));
+  for (std::string line; std::getline(lines, line);)
+  {
+    EXPECT_NE(whole.find(line), std::string::npos) << line;
+  }
+}
+
+namespace
+{
+// What the check says of a mesh that differs from the one that the model was built from; empty when it passes.
+std::string GetMessage(const vtkMTPatchStore& store, vtkPolyData* mesh, const std::string& check)
+{
+  vtkNew<vtkMultiTriangulation> model;
+  EXPECT_TRUE(model->SetSource(std::make_shared<vtkMTPatchStore>(store)));
+  vtkNew<vtkMultiTriangulationVerifier> filter;
+  SetSmall(filter);
+  filter->SetInputData(0, model);
+  filter->SetInputData(1, mesh);
+  filter->Update();
+  for (vtkIdType row = 0; row < filter->GetOutput()->GetNumberOfRows(); ++row)
+  {
+    if (filter->GetOutput()->GetValueByName(row, "name").ToString() == check)
+    {
+      EXPECT_EQ(filter->GetOutput()->GetValueByName(row, "violations").ToInt() == 0,
+        filter->GetOutput()->GetValueByName(row, "message").ToString().empty());
+      return filter->GetOutput()->GetValueByName(row, "message").ToString();
+    }
+  }
+  return "no such check";
+}
+
+using PointEdit = std::function<void(double x[3])>;
+
+vtkSmartPointer<vtkPolyData> Move(vtkPolyData* mesh, const PointEdit& edit)
+{
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->DeepCopy(mesh);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    moved->GetPoint(i, x);
+    edit(x);
+    moved->GetPoints()->SetPoint(i, x);
+  }
+  return moved;
+}
+}
+
+TEST(Verifier, AMeshOfAnotherShapeIsFoundByTheCheckForIt)
+{
+  const auto store = MTTestModel::MakeTube();
+  const auto mesh = MakeInput(*store);
+  const std::pair<const char*, PointEdit> edits[] = { { "input_bounds", [](double x[3]) { x[0] *= 1.001; } },
+    { "input_bounds", [](double x[3]) { x[2] += 1e-3; } }, { "input_orientation", [](double x[3]) { x[0] = -x[0]; } },
+    { "input_volume", [](double x[3]) { x[0] = -x[0]; } },
+    { "input_area", [](double x[3]) { std::for_each(x, x + 3, [](double& c) { c *= 1.01; }); } } };
+  for (const auto& [check, edit] : edits)
+  {
+    const std::string message = GetMessage(*store, Move(mesh, edit), check);
+    std::cout << check << ": " << message << "\n";
+    EXPECT_FALSE(message.empty()) << check;
+  }
+  vtkNew<vtkPolyData> lacking;
+  lacking->DeepCopy(mesh);
+  lacking->BuildCells();
+  lacking->DeleteCell(7);
+  lacking->RemoveDeletedCells();
+  EXPECT_NE(GetMessage(*store, lacking, "input_triangles").find("too many"), std::string::npos);
+  vtkNew<vtkPolyData> turned;
+  turned->DeepCopy(mesh);
+  turned->BuildCells();
+  turned->ReverseCell(7);
+  EXPECT_NE(GetMessage(*store, turned, "input_orientation").find("turned over"), std::string::npos);
+}
+
+TEST(Verifier, ArraysThatAreLostOrMixedAreFound)
+{
+  const auto store = MTTestModel::MakeTube();
+  const auto mesh = MakeInput(*store);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("RGB");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  colors->Fill(255);
+  vtkNew<vtkPolyData> colored;
+  colored->DeepCopy(mesh);
+  colored->GetPointData()->SetScalars(colors);
+  const std::string lost = GetMessage(*store, colored, "input_arrays");
+  EXPECT_NE(lost.find("colours 'RGB'"), std::string::npos) << lost;
+  vtkNew<vtkPolyData> mixed;
+  mixed->DeepCopy(mesh);
+  vtkDataArray* ids = mixed->GetCellData()->GetArray(0);
+  const double first = ids->GetTuple1(0);
+  ids->SetTuple1(0, ids->GetTuple1(1));
+  ids->SetTuple1(1, first);
+  const std::string message = GetMessage(*store, mixed, "input_arrays");
+  std::cout << lost << "\n" << message << "\n";
+  EXPECT_NE(message.find("the input has"), std::string::npos) << message;
+  vtkNew<vtkPolyData> scaled;
+  scaled->DeepCopy(mesh);
+  scaled->GetPointData()->GetArray("height")->SetTuple1(5, 1e6);
+  EXPECT_FALSE(GetMessage(*store, scaled, "input_arrays").empty());
+}
+
+TEST(Verifier, LabelsThatMixOnCoarseLevelsAreFound)
+{
+  const auto store = MTTestModel::MakeTube();
+  vtkMTGraph& graph = store->GetMutableGraph();
+  for (vtkMTArrayInfo& array : graph.Arrays)
+  {
+    array.Role = vtkMTArrayInfo::Plain; // the cell ids become labels: 7 everywhere
+  }
+  for (vtkMTPatch& patch : store->GetMutablePatches())
+  {
+    vtkMTColumn& column = patch.CellColumns.at(0);
+    for (std::size_t i = 0; i < column.size(); ++i)
+    {
+      column[i] = i % sizeof(vtkIdType) == 0 ? 7 : 0;
+    }
+  }
+  EXPECT_EQ(GetMessage(*store, MakeInput(*store), "labels"), "");
+  store->GetMutablePatches().at(0).CellColumns.at(0).at(0) = 8; // the first arc leaves the source: it is coarse
+  EXPECT_NE(GetMessage(*store, MakeInput(*store), "labels").find("mixed"), std::string::npos);
 }
 
 TEST(Verifier, ResultsDoNotDependOnThreads)

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTInputComparison.h"
+
+#include "vtkMTClosestPoint.h"
+#include "vtkMTCutMesh.h"
+#include "vtkMTGraph.h"
+#include "vtkMTInputArrays.h"
+#include "vtkMTLabelCheck.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMTVerifyPolygons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <unordered_set>
+
+namespace
+{
+using Vector = vtkMTRealPoint;
+
+Vector Subtract(const Vector& a, const Vector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double Length(const Vector& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+template <class... Parts>
+std::string Write(const Parts&... parts)
+{
+  std::ostringstream text;
+  text.precision(9);
+  (text << ... << parts);
+  return text.str();
+}
+
+// The edges of the model's finest level, by the lattice points at their ends.
+class Edges
+{
+public:
+  Edges(const vtkMTGraph& graph, const vtkMTSampledSurface& model)
+    : Lattice(graph.Lattice)
+  {
+    graph.GetBounds(this->Box);
+    for (const vtkMTTriangle& t : model.Triangles)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Found.insert(this->Mix(model.Points[t[i]], model.Points[t[(i + 1) % 3]]));
+      }
+    }
+  }
+
+  bool Has(const Vector& a, const Vector& b) const
+  {
+    return this->IsWithin(a) && this->IsWithin(b) && this->Found.count(this->Mix(a, b)) > 0;
+  }
+
+private:
+  bool IsWithin(const Vector& x) const
+  {
+    const double margin = this->Lattice.Step;
+    return x[0] >= this->Box[0] - margin && x[0] <= this->Box[1] + margin && x[1] >= this->Box[2] - margin &&
+      x[1] <= this->Box[3] + margin && x[2] >= this->Box[4] - margin && x[2] <= this->Box[5] + margin;
+  }
+  static std::uint64_t Mix(std::uint64_t x)
+  {
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+    return x ^ x >> 31;
+  }
+  std::uint64_t Mix(const Vector& a) const
+  {
+    const vtkMTPoint k = this->Lattice.Snap(a.data());
+    std::uint64_t hash = 0;
+    for (std::int32_t c : k)
+    {
+      hash = Mix(hash + 0x9e3779b97f4a7c15u + static_cast<std::uint32_t>(c));
+    }
+    return hash;
+  }
+  std::uint64_t Mix(const Vector& a, const Vector& b) const { return Mix(this->Mix(a) + this->Mix(b)); }
+
+  const vtkMTLattice& Lattice;
+  double Box[6];
+  std::unordered_set<std::uint64_t> Found;
+};
+}
+
+vtkMTInputComparison::vtkMTInputComparison(
+  const vtkMTPatchSource& source, vtkPolyData* input, double rounding, std::size_t limit)
+  : Source(source)
+  , InputMesh(input)
+  , Rounding(rounding)
+  , Limit(limit)
+{
+}
+
+std::int64_t vtkMTInputComparison::GetCount(const std::string& name) const
+{
+  const auto& report = this->Source.GetGraph().InputReport;
+  const auto found = report.find(name);
+  return found == report.end() ? 0 : found->second;
+}
+
+std::string vtkMTInputComparison::Describe(const Vector& local) const
+{
+  const Vector x = this->Frame.ToModelPoint(local);
+  return Write("(", x[0], ", ", x[1], ", ", x[2], ")");
+}
+
+bool vtkMTInputComparison::Load(const vtkMTVerificationProgress& progress, std::string& error)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  vtkMTCutMesh mesh;
+  for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+  {
+    if (graph.IsFinest(arc))
+    {
+      mesh.Arcs.push_back(arc);
+    }
+  }
+  mesh.Progress = [&](double share) { return progress("reading the finest level", 0.4 * share); };
+  if (!mesh.Make(this->Source, this->ModelMesh, error))
+  {
+    return false;
+  }
+  vtkMTVerifyPolygons(nullptr).Split(this->ModelMesh, this->Model);
+  const Edges edges(graph, this->Model);
+  vtkMTVerifyPolygons polygons([&edges](const Vector& a, const Vector& b) { return edges.Has(a, b); });
+  polygons.Split(this->InputMesh, this->Original);
+  this->Original.LeaveOutFar(graph);
+  this->OpenTriangles = polygons.GetOpenTriangles();
+  this->OpenArea = polygons.GetOpenArea();
+  this->OpenVolume = polygons.GetOpenVolume();
+
+  const vtkMTRealBounds bounds = this->Original.GetBounds();
+  double largest = 0.0;
+  for (int axis = 0; axis < 3 && !bounds.IsEmpty(); ++axis)
+  {
+    largest = std::max({ largest, std::abs(bounds.Minimum[axis]), std::abs(bounds.Maximum[axis]) });
+  }
+  this->Allowance = graph.Lattice.MaximumShift + (this->Rounding + vtkMTMeasuringFrame::Tolerance) * largest;
+  vtkMTRealBounds both = this->Model.GetBounds();
+  both.Add(bounds);
+  this->OpenTriangles += this->Rounding > 0.0 ? this->CountSmall() : 0;
+  this->Frame = vtkMTMeasuringFrame::FromBounds(both);
+  this->Input = this->Original;
+  this->Input.Transform(this->Frame);
+  this->Model.Transform(this->Frame);
+  return true;
+}
+
+// Triangles that are degenerate, or may be where coordinates are rounded.
+std::int64_t vtkMTInputComparison::CountSmall() const
+{
+  const auto isSmall = [this](const vtkMTTriangle& t)
+  {
+    const auto isShort = [&](int i)
+    {
+      return Length(Subtract(this->Original.Points[t[i]], this->Original.Points[t[(i + 1) % 3]])) <=
+        2.0 * this->Allowance;
+    };
+    return isShort(0) || isShort(1) || isShort(2);
+  };
+  return this->Original.Degenerate +
+    std::count_if(this->Original.Triangles.begin(), this->Original.Triangles.end(), isSmall);
+}
+
+vtkMTInputComparison::Figures vtkMTInputComparison::Measure(const vtkMTSampledSurface& surface) const
+{
+  Figures figures;
+  figures.Triangles = static_cast<std::int64_t>(surface.Triangles.size());
+  const double s = this->Allowance * this->Frame.Scale;
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Vector& a = surface.Points[surface.Triangles[t][0]];
+    const Vector& b = surface.Points[surface.Triangles[t][1]];
+    const Vector& c = surface.Points[surface.Triangles[t][2]];
+    figures.Area += surface.GetArea(t);
+    figures.AreaAllowance += s * (Length(Subtract(b, a)) + Length(Subtract(c, a))) + 2.0 * s * s;
+    const Vector bc = Cross(b, c);
+    figures.Volume += Dot(a, bc) / 6.0;
+    const double change = Length(bc) + Length(Cross(c, a)) + Length(Cross(a, b));
+    figures.VolumeAllowance += (s * change + s * s * (Length(a) + Length(b) + Length(c)) + s * s * s) / 6.0;
+  }
+  const double unit = 1.0 / this->Frame.Scale;
+  figures.Area *= unit * unit;
+  figures.AreaAllowance = figures.AreaAllowance * unit * unit + 1e-9 * figures.Area + this->OpenArea;
+  figures.Volume *= unit * unit * unit;
+  figures.VolumeAllowance = (figures.VolumeAllowance * unit + 1e-9 * figures.Area) * unit * unit + this->OpenVolume;
+  return figures;
+}
+
+vtkMTVerificationCheck vtkMTInputComparison::TestTriangles() const
+{
+  vtkMTVerificationCheck check("input_triangles");
+  const std::int64_t difference = this->InputFigures.Triangles - this->ModelFigures.Triangles;
+  check.Tested = static_cast<std::uint64_t>(this->InputFigures.Triangles);
+  if (std::abs(difference) > this->OpenTriangles)
+  {
+    check.Fail(Write("the input has ", this->InputFigures.Triangles, " triangles, the model ",
+      this->ModelFigures.Triangles, difference > 0 ? ": too few" : ": too many"));
+  }
+  const std::pair<const char*, std::int64_t> reasons[] = { { "dropped_not_finite", this->Original.NonFinite },
+    { "dropped_index_out_of_range", this->Original.OutOfRange }, { "dropped_degenerate", this->Original.Degenerate },
+    { "dropped_far_outlier", this->Original.FarOutliers } };
+  for (const auto& [name, found] : reasons)
+  {
+    if (this->GetCount(name) > found + this->OpenTriangles)
+    {
+      check.Fail(Write("the model's report says ", name, ": ", this->GetCount(name), ", but the input has ", found,
+        " such triangles"));
+    }
+  }
+  return check;
+}
+
+vtkMTVerificationCheck vtkMTInputComparison::TestBounds() const
+{
+  vtkMTVerificationCheck check("input_bounds");
+  const vtkMTRealBounds input = this->Input.GetBounds();
+  const vtkMTRealBounds model = this->Model.GetBounds();
+  for (int side = 0; side < 6; ++side)
+  {
+    const double a = side % 2 == 0 ? input.Minimum[side / 2] : input.Maximum[side / 2];
+    const double b = side % 2 == 0 ? model.Minimum[side / 2] : model.Maximum[side / 2];
+    const double apart = this->Frame.ToModel(std::abs(a - b));
+    ++check.Tested;
+    check.Worst = std::max(check.Worst, this->Allowance > 0.0 ? apart / this->Allowance : 0.0);
+    if (!(apart <= this->Allowance))
+    {
+      const double center = this->Frame.Center[side / 2];
+      check.Fail(Write("the input's ", side % 2 == 0 ? "least " : "largest ", "xyz"[side / 2], " is ",
+        center + this->Frame.ToModel(a), ", the model's ", center + this->Frame.ToModel(b), "; allowed are ",
+        this->Allowance));
+    }
+  }
+  return check;
+}
+
+vtkMTVerificationCheck vtkMTInputComparison::TestArea() const
+{
+  vtkMTVerificationCheck check("input_area");
+  const double apart = std::abs(this->InputFigures.Area - this->ModelFigures.Area);
+  const double allowed = this->InputFigures.AreaAllowance;
+  check.Tested = 1;
+  check.Worst = allowed > 0.0 ? apart / allowed : 0.0;
+  if (!(apart <= allowed))
+  {
+    check.Fail(Write("the input's area is ", this->InputFigures.Area, ", the model's ", this->ModelFigures.Area,
+      "; allowed are ", allowed));
+  }
+  return check;
+}
+
+vtkMTVerificationCheck vtkMTInputComparison::TestVolume() const
+{
+  vtkMTVerificationCheck check("input_volume");
+  if (this->GetCount("reoriented_triangles") > 0)
+  {
+    return check; // the builder turned triangles, which input_orientation holds against its report
+  }
+  const double apart = std::abs(this->InputFigures.Volume - this->ModelFigures.Volume);
+  const double allowed = this->InputFigures.VolumeAllowance;
+  check.Tested = 1;
+  check.Worst = allowed > 0.0 ? apart / allowed : 0.0;
+  if (!(apart <= allowed))
+  {
+    const bool isTurned = std::abs(this->InputFigures.Volume + this->ModelFigures.Volume) <= allowed;
+    check.Fail(Write("the input's signed volume is ", this->InputFigures.Volume, ", the model's ",
+      this->ModelFigures.Volume, "; allowed are ", allowed, isTurned ? ": the model is turned inside out" : ""));
+  }
+  return check;
+}
+
+// The corners of the two triangles are the same ones; which is which is in the pair.
+bool vtkMTInputComparison::Match(std::uint32_t input, std::uint32_t model, Pair& pair) const
+{
+  const double allowed = this->Allowance * this->Frame.Scale + vtkMTMeasuringFrame::Tolerance;
+  const vtkMTTriangle& a = this->Input.Triangles[input];
+  const vtkMTTriangle& b = this->Model.Triangles[model];
+  std::array<bool, 3> taken{ false, false, false };
+  for (int i = 0; i < 3; ++i)
+  {
+    int best = -1;
+    double least = allowed;
+    for (int j = 0; j < 3; ++j)
+    {
+      const double distance = Length(Subtract(this->Input.Points[a[i]], this->Model.Points[b[j]]));
+      if (!taken[j] && distance <= least)
+      {
+        best = j;
+        least = distance;
+      }
+    }
+    if (best < 0)
+    {
+      return false;
+    }
+    taken[best] = true;
+    pair.Corners[i] = best;
+  }
+  pair.Input = input;
+  pair.Model = model;
+  return true;
+}
+
+bool vtkMTInputComparison::TestOrientation(const vtkMTVerificationProgress& progress, vtkMTVerificationCheck& check)
+{
+  const std::size_t count = this->Input.Triangles.size();
+  const std::size_t stride = std::max<std::size_t>(1, (count + this->Limit - 1) / this->Limit);
+  const double s = this->Allowance * this->Frame.Scale;
+  std::vector<std::uint32_t> chosen;
+  std::vector<Vector> middles;
+  for (std::size_t t = 0; t < count; t += stride)
+  {
+    const vtkMTTriangle& corners = this->Input.Triangles[t];
+    const Vector& a = this->Input.Points[corners[0]];
+    const Vector& b = this->Input.Points[corners[1]];
+    const Vector& c = this->Input.Points[corners[2]];
+    const double longest = std::max({ Length(Subtract(b, a)), Length(Subtract(c, b)), Length(Subtract(a, c)) });
+    if (2.0 * this->Input.GetArea(t) > 8.0 * s * longest) // or its nearest triangle may be another one
+    {
+      chosen.push_back(static_cast<std::uint32_t>(t));
+      middles.push_back({ (a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0, (a[2] + b[2] + c[2]) / 3.0 });
+    }
+  }
+  std::vector<double> distances;
+  std::vector<std::uint32_t> own, nearest;
+  const auto advance = [&](double before)
+  { return [&progress, before](double share) { return progress("comparing triangles", before + 0.2 * share); }; };
+  if (!vtkMTClosestPoint(this->Input).Measure(middles, distances, &own, advance(0.4)) ||
+    !vtkMTClosestPoint(this->Model).Measure(middles, distances, &nearest, advance(0.6)))
+  {
+    return false;
+  }
+  std::int64_t turned = 0;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    const std::uint32_t t = chosen[i];
+    if (own[i] != t || this->Input.Slack[t] > 0.0 || nearest[i] == vtkMTClosestPoint::NoTriangle)
+    {
+      continue; // triangles that lie on each other, and polygons with other diagonals
+    }
+    ++check.Tested;
+    Pair pair;
+    if (!this->Match(t, nearest[i], pair))
+    {
+      check.Fail("the triangle about " + this->Describe(middles[i]) + " of the input is not in the model");
+      continue;
+    }
+    const bool isTurned = (pair.Corners[1] + 3 - pair.Corners[0]) % 3 != 1;
+    turned += isTurned ? 1 : 0;
+    if (turned > this->GetCount("reoriented_triangles") && isTurned)
+    {
+      check.Fail(Write("the triangle about ", this->Describe(middles[i]),
+        " is turned over, and the model's report counts ", this->GetCount("reoriented_triangles"), " such"));
+    }
+    this->Pairs.push_back(pair);
+  }
+  return true;
+}
+
+bool vtkMTInputComparison::Test(
+  const vtkMTVerificationProgress& progress, std::vector<vtkMTVerificationCheck>& checks, std::string& error)
+{
+  vtkMTVerificationCheck orientation("input_orientation");
+  if (!this->Load(progress, error))
+  {
+    return false;
+  }
+  this->InputFigures = this->Measure(this->Input);
+  this->ModelFigures = this->Measure(this->Model);
+  this->ModelFigures.Triangles = static_cast<std::int64_t>(this->Source.GetGraph().GetNumberOfFinestTriangles());
+  checks.insert(checks.end(), { this->TestTriangles(), this->TestBounds(), this->TestArea(), this->TestVolume() });
+  if (!this->TestOrientation(progress, orientation))
+  {
+    return false;
+  }
+  checks.push_back(orientation);
+  const vtkMTInputArrays arrays(this->InputMesh, this->Input, this->ModelMesh, this->Model, this->Pairs);
+  checks.push_back(arrays.Test(this->Source.GetGraph(), [this](const Vector& x) { return this->Describe(x); }));
+  vtkMTVerificationCheck labels("labels");
+  if (!vtkMTLabelCheck::Test(
+        this->Source, [&progress](const std::string& step, double share) { return progress(step, 0.8 + 0.2 * share); },
+        labels, error))
+  {
+    return false;
+  }
+  checks.push_back(labels);
+  return true;
+}

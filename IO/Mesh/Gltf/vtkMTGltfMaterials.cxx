@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTGltfMaterials.h"
+
+#include "vtkDataArray.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkVariantArray.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace vtkMTGltfJson;
+
+namespace
+{
+using Material = vtkMTGltfMaterials::Material;
+
+void ReadTexture(const Json& reference, const std::string& where, Material& material)
+{
+  material.Texture = &reference;
+  material.Coordinates = GetCount(reference, "texCoord", where, 0);
+  const Json* transform = FindExtension(reference, "KHR_texture_transform");
+  if (transform)
+  {
+    const std::vector<double> offset = GetNumbers(*transform, "offset", 2, where, { 0.0, 0.0 });
+    const std::vector<double> scale = GetNumbers(*transform, "scale", 2, where, { 1.0, 1.0 });
+    std::copy_n(offset.begin(), 2, material.Transform.Offset);
+    std::copy_n(scale.begin(), 2, material.Transform.Scale);
+    const Json* rotation = Find(*transform, "rotation");
+    material.Transform.Rotation = rotation && rotation->is_number() ? rotation->get<double>() : 0.0;
+    material.Coordinates = GetCount(*transform, "texCoord", where, material.Coordinates);
+  }
+}
+
+Material ReadMaterial(const Json& object, const std::string& where)
+{
+  const Json* old = FindExtension(object, "KHR_materials_pbrSpecularGlossiness");
+  const Json& base = old ? *old : vtkMTGltfJson::GetObject(object, "pbrMetallicRoughness", where);
+  Material material;
+  material.Name = GetText(object, "name");
+  material.HasName = !material.Name.empty();
+  material.Name = material.HasName ? material.Name : where;
+  const std::vector<double> color =
+    GetNumbers(base, old ? "diffuseFactor" : "baseColorFactor", 4, where, { 1.0, 1.0, 1.0, 1.0 });
+  std::copy_n(color.begin(), 4, material.Color.begin());
+  const Json& texture = vtkMTGltfJson::GetObject(base, old ? "diffuseTexture" : "baseColorTexture", where);
+  if (!texture.empty())
+  {
+    ReadTexture(texture, where, material);
+  }
+  for (const std::string& name : vtkMTGltfMaterials::GetOtherTextures())
+  {
+    material.OtherTextures += Find(object, name.c_str()) || Find(base, name.c_str()) ? 1 : 0;
+  }
+  return material;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTGltfMaterials::TextureTransform::IsIdentity() const
+{
+  return this->Offset[0] == 0.0 && this->Offset[1] == 0.0 && this->Rotation == 0.0 && this->Scale[0] == 1.0 &&
+    this->Scale[1] == 1.0;
+}
+
+// Counter-clockwise as one sees it, with v downwards. (The matrix in the extension's text turns the other way, its
+// examples and all viewers this way.)
+void vtkMTGltfMaterials::TextureTransform::Transform(const double from[2], double to[2]) const
+{
+  const double cosine = std::cos(this->Rotation);
+  const double sine = std::sin(this->Rotation);
+  const double u = this->Scale[0] * from[0];
+  const double v = this->Scale[1] * from[1];
+  to[0] = this->Offset[0] + cosine * u + sine * v;
+  to[1] = this->Offset[1] - sine * u + cosine * v;
+}
+
+//------------------------------------------------------------------------------
+vtkMTGltfMaterials::vtkMTGltfMaterials(const vtkMTGltfFile& file)
+{
+  for (std::size_t i = 0; i < file.GetSize("materials"); ++i)
+  {
+    this->Materials.push_back(ReadMaterial(file.GetItem("materials", i), "material " + std::to_string(i)));
+  }
+}
+
+vtkMTGltfMaterials::TextureTransform vtkMTGltfMaterials::FindTransform(int material, const std::string& attribute) const
+{
+  if (material < 0)
+  {
+    return TextureTransform();
+  }
+  const Material& found = this->Materials[static_cast<std::size_t>(material)];
+  return found.Texture && attribute == "TEXCOORD_" + std::to_string(found.Coordinates) ? found.Transform
+                                                                                       : TextureTransform();
+}
+
+const std::vector<std::string>& vtkMTGltfMaterials::GetOtherTextures()
+{
+  static const std::vector<std::string> names = { "normalTexture", "occlusionTexture", "emissiveTexture",
+    "metallicRoughnessTexture", "specularGlossinessTexture" };
+  return names;
+}
+
+void vtkMTGltfMaterials::Describe(vtkDataArray* ids, bool hasCellsWithout) const
+{
+  vtkNew<vtkVariantArray> values;
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkLookupTable> table;
+  const auto count = static_cast<vtkIdType>(this->Materials.size());
+  table->SetNumberOfTableValues(count + (hasCellsWithout ? 1 : 0));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const Material& material = this->Materials[static_cast<std::size_t>(i)];
+    values->InsertNextValue(static_cast<int>(i));
+    names->InsertNextValue(material.Name);
+    double color[4];
+    std::transform(
+      material.Color.begin(), material.Color.end(), color, [](double value) { return std::clamp(value, 0.0, 1.0); });
+    table->SetTableValue(i, color);
+  }
+  if (hasCellsWithout)
+  {
+    values->InsertNextValue(-1);
+    names->InsertNextValue("no material");
+    table->SetTableValue(count, 1.0, 1.0, 1.0, 1.0);
+  }
+  table->SetAnnotations(values, names);
+  table->IndexedLookupOn();
+  table->SetTableRange(hasCellsWithout ? -1.0 : 0.0, static_cast<double>(std::max<vtkIdType>(count - 1, 0)));
+  ids->SetLookupTable(table);
+}
