@@ -83,7 +83,7 @@ vtkSmartPointer<vtkPolyData> MakeCube(int cells)
     {
       for (int j = 0; j < cells; ++j)
       {
-        const auto base = static_cast<decltype(triangles[0][0])>(places.size());
+        const auto base = static_cast<vtkIdType>(places.size());
         for (const auto& [u, v] : { std::pair(i, j), { i + 1, j }, { i + 1, j + 1 }, { i, j + 1 } })
         {
           MTTestMeshes::Place place;

@@ -175,8 +175,8 @@ TEST(Pitfalls, CollapsesLeaveHubsAloneUntilTheyAreNone)
   {
     const double angle = 2.0 * 3.14159265358979 * i / spokes;
     places.push_back({ std::cos(angle), std::sin(angle), 0.0 });
-    const auto next = static_cast<decltype(triangles[0][0])>(1 + (i + 1) % spokes);
-    triangles.push_back({ 0, static_cast<decltype(next)>(1 + i), next });
+    const auto next = static_cast<vtkIdType>(1 + (i + 1) % spokes);
+    triangles.push_back({ 0, static_cast<vtkIdType>(1 + i), next });
   }
   const vtkMTPatch floor = MakeFloor(places, triangles);
   for (const int mode : AllModes)
