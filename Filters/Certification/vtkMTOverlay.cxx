@@ -14,8 +14,8 @@ namespace
 // Loops that enclose more points than these are given up; their triangles are bounded otherwise.
 constexpr int MaximumPulls = 12;
 
-// And so are all that are left when so many crossings for each triangle were looked at for pulling: a hundred times what
-// surfaces need, where no hub is met again and again.
+// And so are all that are left when so many crossings for each triangle were looked at for pulling: a hundred times
+// what surfaces need, where no hub is met again and again.
 constexpr std::size_t PullingPerTriangle = 256;
 }
 

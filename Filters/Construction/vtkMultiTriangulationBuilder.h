@@ -194,7 +194,10 @@ public:
   vtkGetMacro(HasCheckpoint, bool);
 
   /// What the last Build spent its time with.
-  const vtkMTStageTimes& GetStageTimes() const { return *this->StageTimes; }
+  const vtkMTStageTimes& GetStageTimes() const
+  {
+    return *this->StageTimes;
+  }
 
   /// Of the settings, strategy and simplifier included.
   vtkMTimeType GetMTime() override;

@@ -35,11 +35,11 @@ public:
     std::uint32_t Face = None;
   };
 
-  std::vector<Halfedge> Halfedges;   ///< [2 edges]
-  std::vector<std::uint32_t> Wedges; ///< [2 edges] empty without seams
-  std::vector<std::uint32_t> Faces;  ///< [faces] a half-edge of each
-  std::vector<std::uint32_t> Outs;   ///< [vertices] a half-edge that starts from each
-  std::vector<Vector> Places;        ///< [vertices]
+  std::vector<Halfedge> Halfedges;     ///< [2 edges]
+  std::vector<std::uint32_t> Wedges;   ///< [2 edges] empty without seams
+  std::vector<std::uint32_t> Faces;    ///< [faces] a half-edge of each
+  std::vector<std::uint32_t> Outs;     ///< [vertices] a half-edge that starts from each
+  std::vector<Vector> Places;          ///< [vertices]
   std::vector<std::uint32_t> Valences; ///< [vertices] numbers of edges
 
   /// Takes over the fans; Places are left for the caller to fill.

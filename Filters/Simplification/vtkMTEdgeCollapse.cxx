@@ -31,7 +31,8 @@ const std::array<ModeRecord, 4> Modes = { { { "fast", vtkMTCollapse::RunFast }, 
 constexpr int MaximumPasses = 16;
 
 // CGAL's loop asks, after every collapse, for all edges of all neighbours, and goes around both ends of each: the cube
-// of the number of edges at a vertex. Regions with a vertex of more edges than these are left to the toolkit's own loop.
+// of the number of edges at a vertex. Regions with a vertex of more edges than these are left to the toolkit's own
+// loop.
 constexpr std::uint32_t LargestValenceOfStockLoop = 64;
 
 double GetDiagonal(const vtkMTBox& box)

@@ -76,8 +76,8 @@ private:
   static Vector Minimize(const Quadric& q, const Vector& middle);
 
   const vtkMTCollapseRegion& R;
-  std::vector<Quadric> FaceQuadrics; // [faces]
-  std::vector<Quadric> Quadrics;     // [vertices]
+  std::vector<Quadric> FaceQuadrics;                    // [faces]
+  std::vector<Quadric> Quadrics;                        // [vertices]
   std::map<std::uint32_t, std::uint32_t> ChangesOfHubs; // since their quadrics were made
 };
 
