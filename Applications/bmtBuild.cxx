@@ -231,13 +231,16 @@ void AddSettings(CLI::App& command, Builder* builder)
   AddSetting(command, "--precision", builder, &Builder::SetPrecision,
     "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
     ->check(CLI::PositiveNumber);
+  AddSetting(command, "--feature-angle", builder, &Builder::SetFeatureAngle,
+    "Edges sharper than this (degrees) are hard where normals are made; none: no edge; auto: 30 for CAD, none "
+    "otherwise")
+    ->transform(CLI::Transformer(std::map<std::string, double>{ { "auto", -1.0 }, { "none", 180.0 } }))
+    ->check(CLI::Range(-1.0, 180.0));
   const std::map<std::string, int> compressions{ { "none", Builder::NoCompression },
     { "fast", Builder::FastCompression }, { "small", Builder::SmallCompression } };
-  command
-    .add_option_function<std::string>(
-      "--compression", [=](const std::string& name) { builder->SetCompression(compressions.at(name)); },
-      "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
-    ->check(CLI::IsMember({ "none", "fast", "small" }))
+  AddSetting(command, "--compression", builder, &Builder::SetCompression,
+    "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
+    ->transform(CLI::CheckedTransformer(compressions))
     ->default_str("fast");
   const auto list = [&](const char* name, void (Builder::*add)(const char*), const char* text)
   {
@@ -259,7 +262,7 @@ void AddSettings(CLI::App& command, Builder* builder)
     "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
   flag("--keep-far-outliers", &Builder::KeepFarOutliersOn,
     "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
-  flag("--no-normals", &Builder::MakeNormalsOff, "Make no smooth normals where the input has none");
+  flag("--no-normals", &Builder::MakeNormalsOff, "Make no normals where the input has none");
   flag("--resume", &Builder::ResumeOn, "Go on with the build that was interrupted, if there is one");
   command.add_option_function<std::string>(
     "--temp", [=](const std::string& folder) { builder->SetTemporaryFolder(folder.c_str()); },
@@ -294,8 +297,7 @@ void bmtAddBuild(CLI::App& app, bmtContext& context)
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("build", "Build a Multi-Triangulation file from a mesh");
   command->footer(
-    "Several inputs become one model with a cell array PartId (0, 1, 2 ... in the order of the command line). Parts "
-    "that\n"
+    "Several inputs become one model with a cell array PartId (0, 1 ... in the order of the command line). Parts that\n"
     "touch stay apart. Arrays of one name, type and number of components become one; where an input lacks it, real\n"
     "numbers are NaN, whole numbers 0, and normals are made; input_report counts it. All tiles of terrain make one\n"
     "terrain, in metres about its middle; samples that tiles share are one point, voids are holes.\n"

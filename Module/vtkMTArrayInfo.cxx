@@ -245,16 +245,14 @@ const char* vtkMTArrayInfo::GetMeaning() const
   return isLabel ? "labels" : "values";
 }
 
-std::string vtkMTArrayInfo::ChooseMeanings(const std::vector<std::string>& labels, const std::vector<std::string>& values,
-  std::vector<vtkMTArrayInfo>& arrays)
+std::string vtkMTArrayInfo::ChooseMeanings(
+  const std::vector<std::string>& labels, const std::vector<std::string>& values, std::vector<vtkMTArrayInfo>& arrays)
 {
   const std::string missing =
     ForEach(labels, arrays, [](vtkMTArrayInfo& info) { info.Resampling = vtkMTArrayInfo::Nearest; });
-  return !missing.empty() ? missing
-                          : ForEach(values, arrays,
-                              [](vtkMTArrayInfo& info)
-                              {
-                                info.Resampling =
-                                  IsDirection(info) ? vtkMTArrayInfo::Direction : vtkMTArrayInfo::Interpolate;
-                              });
+  return !missing.empty()
+    ? missing
+    : ForEach(values, arrays,
+        [](vtkMTArrayInfo& info)
+        { info.Resampling = IsDirection(info) ? vtkMTArrayInfo::Direction : vtkMTArrayInfo::Interpolate; });
 }

@@ -96,8 +96,9 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
    * "colour" or "rgb" in it, and single integers named as a channel is (red, diffuse_green, intensity, gray ...).
    */
   bool IsColor() const;
-  /// By type, name, components and attribute: real numbers are interpolated, directions where they are normals; integers
-  /// are labels, of which no mean may be taken, unless they are colours. Cell arrays and ids have the nearest value.
+  /// By type, name, components and attribute: real numbers are interpolated, directions where they are normals;
+  /// integers are labels, of which no mean may be taken, unless they are colours. Cell arrays and ids have the nearest
+  /// value.
   ResamplingType GetDefaultResampling() const;
   /// What it is taken for: "labels", "values", "colors", "directions" or "ids".
   const char* GetMeaning() const;

@@ -69,7 +69,7 @@ struct vtkMTArc
   /// Every triangle's normal n has dot(n, ConeAxis) >= ConeCosine; ConeCosine <= 0 means that the cone culls nothing.
   std::array<float, 3> ConeAxis{ 0.0f, 0.0f, 1.0f };
   float ConeCosine = -1.0f;
-  float MeanEdgeLength = 0.0f; ///< model units
+  float MeanEdgeLength = 0.0f; ///< model units; the largest number there is where it is beyond single precision
   vtkMTPatchKind Kind = vtkMTPatchKind::Triangles;
 
   /// Whether the arc is a mere dependency: there is nothing to read and nothing to draw, and its box is empty.

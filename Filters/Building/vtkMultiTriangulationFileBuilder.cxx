@@ -29,14 +29,29 @@
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <new>
 #include <sstream>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkMultiTriangulationFileBuilder);
 
 namespace
 {
+// Whether a model's made normals are split where this build would split them. Which angle was asked for is no part of a
+// file, so that normals that are the same make the same file.
+bool HasFeatureAngle(const std::map<std::string, std::string>& settings, double wanted)
+{
+  const auto used = settings.find("feature_angle");
+  const auto automatic = settings.find("feature_angle_auto");
+  if (used == settings.end() || automatic == settings.end())
+  {
+    return true; // none were made
+  }
+  return wanted < 0.0 ? used->second == automatic->second : std::abs(std::stod(used->second) - wanted) < 1e-4 * wanted;
+}
+
 // CPU seconds of all threads, and seconds by the clock.
 class Stopwatch
 {
@@ -251,7 +266,8 @@ bool vtkMultiTriangulationFileBuilder::IsFinished() const
   }
   const auto& settings = model.GetGraph().Settings;
   const auto found = settings.find("build");
-  return found != settings.end() && found->second == this->Implementation->Identity;
+  return found != settings.end() && found->second == this->Implementation->Identity &&
+    HasFeatureAngle(settings, this->GetFeatureAngle());
 }
 
 bool vtkMultiTriangulationFileBuilder::BuildFromFiles(

@@ -154,10 +154,17 @@ public:
   ///@}
 
   ///@{
-  /// Whether smooth normals are made where the input has none. Default on.
+  /// Whether normals are made where the input has none. Default on.
   void SetMakeNormals(bool on);
   bool GetMakeNormals() const;
   vtkBooleanMacro(MakeNormals, bool);
+  ///@}
+
+  ///@{
+  /// Along which edges made normals are split, in degrees; negative, the default: chosen by the mesh (see
+  /// vtkMultiTriangulationBuilder). 180: none. NaN is refused with an error.
+  void SetFeatureAngle(double degrees);
+  double GetFeatureAngle() const;
   ///@}
 
   ///@{

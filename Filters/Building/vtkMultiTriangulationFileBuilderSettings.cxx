@@ -187,6 +187,16 @@ bool vtkMultiTriangulationFileBuilder::GetMakeNormals() const
   return this->Implementation->Builder->GetMakeNormals();
 }
 
+void vtkMultiTriangulationFileBuilder::SetFeatureAngle(double degrees)
+{
+  this->Implementation->Builder->SetFeatureAngle(degrees);
+}
+
+double vtkMultiTriangulationFileBuilder::GetFeatureAngle() const
+{
+  return this->Implementation->Builder->GetFeatureAngle();
+}
+
 void vtkMultiTriangulationFileBuilder::SetKeepFarOutliers(bool on)
 {
   this->Implementation->Builder->SetKeepFarOutliers(on);

@@ -87,6 +87,10 @@ private:
       {
         place = { near / 3, heir, 0.0, x };
       }
+      else if (this->Fragment.IsHub(heir))
+      {
+        place = this->MakePlace(x, this->Down.FindNearest(x, near / 3));
+      }
       else
       {
         place = this->MakePlace(x, this->Fragment.FindAround(x, near));
@@ -170,7 +174,9 @@ private:
       std::array<std::uint32_t, 3> guesses;
       for (std::uint32_t c = 0; c < 3; ++c)
       {
-        guesses[c] = this->Places[this->Floor.GetPoint(3 * t + c)].Triangle;
+        // Of a hub's triangles any one is as near to it as the others, and most are far from this one.
+        const std::uint32_t p = this->Floor.GetPoint(3 * t + c);
+        guesses[c] = this->Floor.IsHub(p) ? None : this->Places[p].Triangle;
       }
       ++this->Result.TrianglesByPieces;
       this->Down.Bound(t, guesses, this->Budget);

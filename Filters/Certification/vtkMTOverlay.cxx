@@ -13,6 +13,10 @@ namespace
 {
 // Loops that enclose more points than these are given up; their triangles are bounded otherwise.
 constexpr int MaximumPulls = 12;
+
+// And so are all that are left when so many crossings for each triangle were looked at for pulling: a hundred times
+// what surfaces need, where no hub is met again and again.
+constexpr std::size_t PullingPerTriangle = 256;
 }
 
 vtkMTOverlay::vtkMTOverlay(const vtkMTSurface& floor, const vtkMTSurface& fragment, const std::vector<Place>& places)
@@ -20,6 +24,7 @@ vtkMTOverlay::vtkMTOverlay(const vtkMTSurface& floor, const vtkMTSurface& fragme
   , Fragment(fragment)
   , Places(places)
   , IsEnclosed(3 * fragment.GetNumberOfTriangles(), 0)
+  , MostPulling(PullingPerTriangle * (floor.GetNumberOfTriangles() + fragment.GetNumberOfTriangles()))
 {
   this->TraceEdges();
   this->FindCells();
@@ -185,7 +190,8 @@ bool vtkMTOverlay::PullTogether()
   this->Rim = this->Remainder;
   while (!this->Rim.empty())
   {
-    if (this->Enclosed.size() == MaximumPulls || !this->PullAcrossPoint())
+    this->Pulling += this->Rim.size();
+    if (this->Enclosed.size() == MaximumPulls || this->Pulling > this->MostPulling || !this->PullAcrossPoint())
     {
       return false;
     }
@@ -219,17 +225,35 @@ vtkMTOverlay::Corners vtkMTOverlay::MakeInnerCorner(std::uint32_t out, std::uint
   return { AboveZero(std::sqrt(distance2)), None, point };
 }
 
-// Number of triangles around the point that a half-edge starts from; 0 at a border.
-std::size_t vtkMTOverlay::CountAround(std::uint32_t out) const
+// Number of triangles around the point that a half-edge starts from; 0 at a border. Once for each fan of a hub.
+std::size_t vtkMTOverlay::CountAround(std::uint32_t out)
 {
+  const bool isHub = this->Fragment.IsHub(this->Fragment.GetPoint(out));
+  const auto known = isHub ? this->FansOfHubs.find(out) : this->FansOfHubs.end();
+  if (known != this->FansOfHubs.end())
+  {
+    return known->second;
+  }
+  std::vector<std::uint32_t> fan;
   std::size_t count = 0;
   std::uint32_t h = out;
-  do
+  for (; h != None && (count == 0 || h != out); h = this->Fragment.TurnLeft(h), ++count)
   {
-    h = this->Fragment.TurnLeft(h);
-    ++count;
-  } while (h != None && h != out);
-  return h == None ? 0 : count;
+    if (isHub)
+    {
+      fan.push_back(h);
+    }
+  }
+  const std::size_t result = h == None ? 0 : count;
+  for (h = isHub && h == None ? this->Fragment.TurnRight(out) : None; h != None; h = this->Fragment.TurnRight(h))
+  {
+    fan.push_back(h);
+  }
+  for (const std::uint32_t of : fan)
+  {
+    this->FansOfHubs[of] = result;
+  }
+  return result;
 }
 
 // Takes the point to the left of the loop around which pulling makes it shortest.

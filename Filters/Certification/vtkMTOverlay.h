@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 class vtkMTOverlay
@@ -109,7 +110,7 @@ private:
   bool PullTogetherReversed();
   bool PullAcrossPoint();
   void ReplaceRun(std::size_t begin, std::size_t run, std::size_t others);
-  std::size_t CountAround(std::uint32_t out) const;
+  std::size_t CountAround(std::uint32_t out);
   /// Where partners are not corners on both sides, their distance may have been rounded to zero.
   static double AboveZero(double distance) { return std::max(distance, std::numeric_limits<double>::min()); }
   static Corners Merge(const Corners& a, const Corners& b);
@@ -125,6 +126,9 @@ private:
   std::vector<Trace> Traces; // [floor's half-edges] where two are opposite, of the first one
   std::vector<Crossing> Crossings;
   std::vector<unsigned char> IsEnclosed; // [fragment's half-edges] their start, by an odd number of loops
+  std::unordered_map<std::uint32_t, std::size_t> FansOfHubs; // by half-edge: triangles around its start
+  const std::size_t MostPulling;
+  std::size_t Pulling = 0; // crossings that were looked at
   std::vector<Step> Loop;
   Corners Here;                         // of the cell that the loop has come to
   std::vector<std::uint32_t> Remainder; // half-edges that a loop crosses once nothing cancels any more

@@ -209,8 +209,14 @@ void vtkMTPieceBound::Bound(std::uint32_t triangle, const std::array<std::uint32
   }
   if (whole.Best.Triangle == None)
   {
+    // All triangles of a hub are nearest to it, and most of them far from the rest of this one.
+    int corner = 0;
+    while (corner < 2 && this->From.IsHub(this->From.GetPoint(3 * triangle + static_cast<std::uint32_t>(corner))))
+    {
+      ++corner;
+    }
     std::uint32_t nearest = None;
-    this->Visit(piece.Corners[0], triangle, nearest);
+    this->Visit(piece.Corners[corner], triangle, nearest);
     this->Improve(whole, nearest);
   }
   if (!this->Accept(whole, 0.0))

@@ -63,13 +63,20 @@ vtkMTSurface::vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin)
 void vtkMTSurface::FindHalfedges(std::size_t points)
 {
   this->Halfedges.assign(points, None);
+  std::vector<std::uint32_t> triangles(points, 0);
   for (std::uint32_t h = 0; h < this->Points.size(); ++h)
   {
+    ++triangles[this->Points[h]];
     std::uint32_t& out = this->Halfedges[this->Points[h]];
     if (out == None || this->Opposites[h] == None)
     {
       out = h;
     }
+  }
+  this->Hubs.resize(points);
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    this->Hubs[p] = triangles[p] > HubTriangles;
   }
 }
 
@@ -140,9 +147,13 @@ double vtkMTSurface::GetDistance2(const Vector& x, std::uint32_t triangle, doubl
   return this->FindFoot(x, this->Triangles[triangle], limit).Distance2;
 }
 
-// All triangles of h's fan but its own.
+// All triangles of h's fan but its own; none of a hub's.
 void vtkMTSurface::LookAround(const Vector& x, std::uint32_t h, Hit& hit) const
 {
+  if (this->IsHub(this->Points[h]))
+  {
+    return;
+  }
   std::uint32_t best = None;
   double best2 = hit.Distance2;
   const auto look = [&](std::uint32_t out)
@@ -182,7 +193,8 @@ vtkMTSurface::Hit vtkMTSurface::FindAround(const Vector& x, std::uint32_t h) con
 
 void vtkMTSurface::Descend(const Vector& x, Hit& hit) const
 {
-  for (double before = std::numeric_limits<double>::infinity(); hit.Distance2 < before;)
+  double before = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < MostSteps && hit.Distance2 < before; ++step)
   {
     before = hit.Distance2;
     const Vector& w = hit.Weights;

@@ -8,6 +8,9 @@
  *
  * Half-edge h = 3 t + e runs from corner e of triangle t to the next one; vtkMTHalfedgePairs says which are opposite.
  *
+ * Searches that go from triangle to triangle are for what is near. A hub, a point of more than HubTriangles triangles,
+ * is not looked around, and no way goes on for more than MostSteps triangles: a tree finds what is farther away.
+ *
  * Threads: const and safe.
  */
 #ifndef vtkMTSurface_h
@@ -27,6 +30,8 @@ class VTKMTCERTIFICATION_EXPORT vtkMTSurface
 public:
   using Vector = std::array<double, 3>;
   static constexpr std::uint32_t None = ~std::uint32_t(0);
+  static constexpr std::uint32_t HubTriangles = 128;
+  static constexpr int MostSteps = 64;
 
   /// A place on a triangle, and how far it is from where the question was asked.
   struct Hit
@@ -61,6 +66,7 @@ public:
   std::uint32_t GetOpposite(std::uint32_t h) const { return this->Opposites[h]; }
   /// A half-edge that starts from the point, one at a border where there is one; None when no triangle uses the point.
   std::uint32_t GetHalfedge(std::uint32_t point) const { return this->Halfedges[point]; }
+  bool IsHub(std::uint32_t point) const { return this->Hubs[point]; }
   /// The half-edges that start from the same point, counter-clockwise and clockwise; None beyond a border.
   std::uint32_t TurnLeft(std::uint32_t h) const { return this->Opposites[Previous(h)]; }
   std::uint32_t TurnRight(std::uint32_t h) const
@@ -73,9 +79,10 @@ public:
   Hit Project(const Vector& x, std::uint32_t triangle) const;
   /// The squared distance alone; infinity, found early, when it is at least limit.
   double GetDistance2(const Vector& x, std::uint32_t triangle, double limit) const;
-  /// The nearest of the triangles around the point that h starts from, or what is nearer still across their edges.
+  /// The nearest of the triangles around the point that h starts from, or what is nearer still across their edges. Of a
+  /// hub it is h's own triangle.
   Hit FindAround(const Vector& x, std::uint32_t h) const;
-  /// From a place on the surface to nearer ones in adjoining triangles, until none is nearer.
+  /// From a place on the surface to nearer ones in adjoining triangles, until none is nearer, or for MostSteps.
   void Descend(const Vector& x, Hit& hit) const;
 
 private:
@@ -106,6 +113,7 @@ private:
   std::vector<std::uint32_t> Points;
   std::vector<std::uint32_t> Opposites;
   std::vector<std::uint32_t> Halfedges;
+  std::vector<bool> Hubs;
   double Extent = 1.0;
 };
 

@@ -212,6 +212,10 @@ private:
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
     {
       const std::uint32_t origin = this->Meshes.Simplification.PointOrigin[this->Fragment.GetPoint(h)];
+      if (this->Floor.IsHub(origin))
+      {
+        continue;
+      }
       const Hit hit = this->Floor.FindAround(x, this->Floor.GetHalfedge(origin));
       if (isThere(hit))
       {

@@ -24,6 +24,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   std::size_t PatchTriangles = 1000;
   int LatticeBits = 24;
   bool MakeNormals = true;
+  double FeatureAngle = -1.0; ///< of made normals, degrees; below 0: chosen by the mesh
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
   std::vector<std::string> LabelArrays; ///< names of arrays that are labels, whatever their type

@@ -6,8 +6,21 @@
 #include "vtkMTSimplifier.h"
 
 #include <cmath>
+#include <locale>
 #include <map>
 #include <sstream>
+#include <string>
+
+namespace
+{
+std::string ToText(double value)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+}
 
 bool vtkMTFinishStep::Run()
 {
@@ -46,9 +59,13 @@ bool vtkMTFinishStep::FinishGraph()
   {
     settings["far_outliers"] = "kept";
   }
-  std::ostringstream reduction; // of a level: a floor's triangles over its fragment's
-  reduction << this->Options.Reduction;
-  settings["reduction"] = reduction.str();
+  if (this->State.FeatureAngle >= 0.0)
+  {
+    // What the mesh would choose is there whoever chose, so that the same normals give the same file.
+    settings["feature_angle"] = ToText(this->State.FeatureAngle);
+    settings["feature_angle_auto"] = ToText(this->State.AutomaticFeatureAngle);
+  }
+  settings["reduction"] = ToText(this->Options.Reduction); // of a level: a floor's triangles over its fragment's
   settings["floor_triangles"] = std::to_string(std::llround(this->Options.GetFloorTarget()));
   return vtkMTFinishGraph::Run(this->State, this->Sink, this->Error);
 }

@@ -27,9 +27,10 @@ std::vector<Record> ReadAll(const std::vector<unsigned char>& bytes, std::size_t
   return records;
 }
 
-// Points and wedges: shared points first, then in order of identity; wedges in order of their points.
+// Points and wedges: shared points first, then in order of identity; wedges in order of their points. identities: of
+// the points.
 std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const std::vector<unsigned char>& bytes,
-  const vtkMTInputFragment::Layout& layout, vtkMTPatch& mesh)
+  const vtkMTInputFragment::Layout& layout, vtkMTPatch& mesh, std::vector<std::uint32_t>& identities)
 {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -49,6 +50,7 @@ std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const st
     if (isNewPoint)
     {
       mesh.Points.push_back(point.X);
+      identities.push_back(point.Root);
       if (point.IsShared)
       {
         mesh.Ids.push_back(vtkMTPatchSplitter::MakeInputId(point.Root));
@@ -79,7 +81,8 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
 {
   const std::vector<Point> points = ReadAll<Point>(records.Points, layout.PointSize);
   this->Mesh.PointColumns.resize(layout.PointTupleSizes.size());
-  const std::vector<std::uint32_t> wedgeOf = MakeWedges(points, records.Points, layout, this->Mesh);
+  std::vector<std::uint32_t> identities;
+  const std::vector<std::uint32_t> wedgeOf = MakeWedges(points, records.Points, layout, this->Mesh, identities);
   vtkMTRelease(records.Points);
 
   const std::vector<Triangle> triangles = ReadAll<Triangle>(records.Triangles, layout.TriangleSize);
@@ -111,8 +114,9 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
   this->SharedPlaces = vtkMTSharedIds::FindPlaces(this->Mesh);
   if (layout.MakeNormals)
   {
-    vtkMTSharedNormals::FindTerms(
-      this->Mesh, this->Numbers, this->Orientation.ComponentOf, this->Orientation.IsTurned, region, this->Terms);
+    this->Angles.Add(this->Mesh);
+    vtkMTSharedNormals::FindTerms(this->Mesh, this->Numbers, identities, this->Orientation.ComponentOf,
+      this->Orientation.IsTurned, region, this->Terms);
   }
 }
 
@@ -169,4 +173,44 @@ void vtkMTInputFragment::AddNormals(const std::vector<std::array<float, 3>>& nor
     std::memcpy(column.data() + w * sizeof(normals[0]), &normals[this->Mesh.GetPointOfWedge(w)], sizeof(normals[0]));
   }
   this->Mesh.PointColumns.push_back(std::move(column));
+}
+
+void vtkMTInputFragment::AddNormalsByCorner(const std::vector<std::array<float, 3>>& normals)
+{
+  const vtkMTPatch old = std::move(this->Mesh);
+  std::vector<std::uint32_t> order(normals.size()); // of corners: by wedge, then by normal
+  std::iota(order.begin(), order.end(), 0u);
+  const auto getWedge = [&old](std::uint32_t h) { return old.Triangles[h / 3][h % 3]; };
+  std::sort(order.begin(), order.end(),
+    [&](std::uint32_t a, std::uint32_t b)
+    { return getWedge(a) != getWedge(b) ? getWedge(a) < getWedge(b) : normals[a] < normals[b]; });
+  vtkMTPatch mesh;
+  mesh.Points = old.Points;
+  mesh.Ids = old.Ids;
+  mesh.Triangles.resize(old.Triangles.size());
+  mesh.CellColumns = old.CellColumns;
+  mesh.PointColumns.resize(old.PointColumns.size() + 1);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const std::uint32_t h = order[i];
+    const std::uint32_t wedge = getWedge(h);
+    if (i == 0 || wedge != getWedge(order[i - 1]) || normals[h] != normals[order[i - 1]])
+    {
+      mesh.WedgePoints.push_back(old.GetPointOfWedge(wedge));
+      for (std::size_t c = 0; c < old.PointColumns.size(); ++c)
+      {
+        const std::size_t size = old.PointColumns[c].size() / old.GetNumberOfWedges();
+        const unsigned char* value = old.PointColumns[c].data() + wedge * size;
+        mesh.PointColumns[c].insert(mesh.PointColumns[c].end(), value, value + size);
+      }
+      const auto* value = reinterpret_cast<const unsigned char*>(normals[h].data());
+      mesh.PointColumns.back().insert(mesh.PointColumns.back().end(), value, value + sizeof(normals[h]));
+    }
+    mesh.Triangles[h / 3][h % 3] = static_cast<std::uint32_t>(mesh.WedgePoints.size() - 1);
+  }
+  if (mesh.WedgePoints.size() == mesh.Points.size())
+  {
+    mesh.WedgePoints.clear();
+  }
+  this->Mesh = std::move(mesh);
 }

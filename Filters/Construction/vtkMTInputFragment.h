@@ -11,6 +11,7 @@
 #define vtkMTInputFragment_h
 
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTDihedralAngles.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTOrientation.h"
 #include "vtkMTPatch.h"
@@ -25,6 +26,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
   std::vector<std::uint32_t> Numbers; ///< of the triangles, in the whole input
   vtkMTOrientation::Fragment Orientation;
   std::vector<vtkMTSharedNormals::Term> Terms;
+  vtkMTDihedralAngles Angles;              ///< where normals are made; not encoded
   std::vector<std::uint32_t> SharedPlaces; ///< of Make, vtkMTSharedIds::FindPlaces; not encoded
   std::vector<std::uint32_t> Components;   ///< as vtkMTOrientation::Add numbered them
 
@@ -49,6 +51,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
   void TurnRound(const vtkMTOrientation& orientation);
   /// One normal per point.
   void AddNormals(const std::vector<std::array<float, 3>>& normals);
+  /// One normal per corner (3 t + c): wedges whose corners differ are split.
+  void AddNormalsByCorner(const std::vector<std::array<float, 3>>& normals);
 };
 
 #endif

@@ -117,6 +117,7 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
       return false;
     }
   }
+  this->Angles.Add(making.Fragment.Angles);
   Bytes bytes;
   making.Fragment.Encode(bytes);
   return this->Fragments.Put(region, bytes.data(), bytes.size(), error) &&
@@ -129,7 +130,14 @@ bool vtkMTInputFragmentStep::Finish()
   vtkMTSequenceState& state = this->State;
   {
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation) || !this->SharedIds->Solve())
+    if (this->MakesNormals)
+    {
+      const double automatic = this->Angles.ChooseFeatureAngle();
+      state.FeatureAngle = this->Settings.FeatureAngle < 0.0 ? automatic : this->Settings.FeatureAngle;
+      state.AutomaticFeatureAngle = automatic;
+    }
+    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation, state.FeatureAngle) ||
+      !this->SharedIds->Solve())
     {
       return this->Fail(this->Orientation->GetError() + this->Normals->GetError() + this->SharedIds->GetError());
     }
@@ -180,7 +188,6 @@ bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, s
   {
     return false;
   }
-  finishing.SharedNormals.resize(finishing.Fragment.Mesh.Ids.size());
   const bool taken =
     !this->MakesNormals || this->Normals->Take(region, finishing.Fragment.Mesh, finishing.SharedNormals);
   // Normals are asked for by the input's numbers, so these are replaced after that.
@@ -200,14 +207,44 @@ void vtkMTInputFragmentStep::FinishOne(Finishing& finishing) const
   fragment.TurnRound(*this->Orientation);
   if (this->MakesNormals)
   {
-    std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(fragment.Mesh);
-    std::copy(finishing.SharedNormals.begin(), finishing.SharedNormals.end(), normals.begin());
-    fragment.AddNormals(normals);
+    this->AddNormals(finishing);
   }
   vtkMTCertifiedMesh certified; // it is the input itself: all deviations are zero
   certified.Mesh = std::move(fragment.Mesh);
   certified.Deviations.resize(certified.Mesh.Triangles.size());
   certified.Encode(finishing.Record);
+}
+
+void vtkMTInputFragmentStep::AddNormals(Finishing& finishing) const
+{
+  vtkMTPatch& mesh = finishing.Fragment.Mesh;
+  std::vector<std::array<float, 3>> shared(mesh.Ids.size()); // of all triangles
+  for (const vtkMTSharedNormals::Normal& normal : finishing.SharedNormals)
+  {
+    shared[normal.Point] = normal.Triangle == vtkMTSharedNormals::AllTriangles ? normal.Value : shared[normal.Point];
+  }
+  if (!(this->State.FeatureAngle < vtkMTDihedralAngles::Smooth))
+  {
+    std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(mesh);
+    std::copy(shared.begin(), shared.end(), normals.begin());
+    finishing.Fragment.AddNormals(normals);
+    return;
+  }
+  std::vector<std::array<float, 3>> normals = vtkMTPointNormals::ComputeByCorner(mesh, this->State.FeatureAngle);
+  const auto getPoint = [&mesh](std::size_t h) { return mesh.GetPointOfWedge(mesh.Triangles[h / 3][h % 3]); };
+  for (std::size_t h = 0; h < normals.size(); ++h)
+  {
+    normals[h] = getPoint(h) < shared.size() ? shared[getPoint(h)] : normals[h];
+  }
+  for (const vtkMTSharedNormals::Normal& normal : finishing.SharedNormals)
+  {
+    for (std::size_t c = 0; c < 3 && normal.Triangle != vtkMTSharedNormals::AllTriangles; ++c)
+    {
+      const std::size_t h = 3 * std::size_t(normal.Triangle) + c;
+      normals[h] = getPoint(h) == normal.Point ? normal.Value : normals[h];
+    }
+  }
+  finishing.Fragment.AddNormalsByCorner(normals);
 }
 
 bool vtkMTInputFragmentStep::ForAllRegions(

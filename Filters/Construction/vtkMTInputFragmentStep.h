@@ -4,8 +4,8 @@
  * @brief the fragments of mesh M_0, made of the input's triangles and points by region
  *
  * Make assembles every region's records, in parallel: all but what depends on other fragments. Finish reverses
- * what has to be (vtkMTOrientation), gives shared points their normals (vtkMTSharedNormals) and numbers
- * (vtkMTSharedIds), and fills the state.
+ * what has to be (vtkMTOrientation), chooses the feature angle (vtkMTDihedralAngles), gives shared points their normals
+ * (vtkMTSharedNormals) and numbers (vtkMTSharedIds), and fills the state.
  */
 #ifndef vtkMTInputFragmentStep_h
 #define vtkMTInputFragmentStep_h
@@ -53,7 +53,7 @@ private:
   struct Finishing
   {
     vtkMTInputFragment Fragment;
-    std::vector<std::array<float, 3>> SharedNormals;
+    std::vector<vtkMTSharedNormals::Normal> SharedNormals;
     std::size_t Triangles = 0;
     Bytes Record;
   };
@@ -63,6 +63,7 @@ private:
   bool PutMade(std::size_t region, Making& making, std::string& error);
   bool Fetch(std::uint32_t region, Finishing& finishing, std::string& error);
   void FinishOne(Finishing& finishing) const;
+  void AddNormals(Finishing& finishing) const;
   bool ForAllRegions(
     const vtkMTOrderedWork::Work& fetch, const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
 
@@ -74,6 +75,7 @@ private:
   bool Aborted = false;
   std::unique_ptr<vtkMTOrientation> Orientation;
   std::unique_ptr<vtkMTSharedNormals> Normals;
+  vtkMTDihedralAngles Angles; // of all edges inside of fragments
   std::unique_ptr<vtkMTSharedIds> SharedIds;
   vtkMTRecordSpool Fragments; // by region, with their orientation
 };

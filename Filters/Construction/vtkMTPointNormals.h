@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPointNormals
- * @brief smooth normals of a mesh, one per point
+ * @brief normals of a mesh: smooth, one per point, or split along hard edges, one per corner
  *
  * The sum of the normals of the triangles around a point, weighted by their angle there (Thuermer and Wuethrich,
  * "Computing vertex normals from polygonal facets", 1998), so that the triangulation of a flat part has no influence. A
  * point with degenerate triangles only gets the normal (0, 0, 1). The order of summation is that of the triangles.
+ *
+ * Where normals are split, the triangles around a point fall into groups that are connected over edges of exactly two
+ * triangles, of opposite directions, whose normals are within the feature angle of each other; every group has a sum of
+ * its own. A degenerate triangle has the normal of the point's first group.
  */
 #ifndef vtkMTPointNormals_h
 #define vtkMTPointNormals_h
@@ -14,6 +18,7 @@
 #include "vtkMTPatch.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTPointNormals
@@ -26,6 +31,22 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPointNormals
   static bool GetTerms(const vtkMTPatch& mesh, std::size_t triangle, std::array<std::array<double, 3>, 3>& terms);
   static std::array<float, 3> GetDirection(const std::array<double, 3>& sum);
   ///@}
+
+  /// A triangle at a point: its other two corners, in its order, and what it adds.
+  struct Corner
+  {
+    std::uint32_t Next;
+    std::uint32_t Previous;
+    std::array<double, 3> Term;
+  };
+  /// Of a feature angle in degrees, for FindGroups: half a degree more, for what the lattice has rounded.
+  static double GetCosine(double featureAngle);
+  /// For each corner at a point its group: the index of the group's first corner.
+  static std::vector<std::uint32_t> FindGroups(const std::vector<Corner>& corners, double cosine);
+  /// For each corner at a point the normal of its group.
+  static std::vector<std::array<float, 3>> GetNormalsOfGroups(const std::vector<Corner>& corners, double cosine);
+  /// For each corner (3 t + c) its normal.
+  static std::vector<std::array<float, 3>> ComputeByCorner(const vtkMTPatch& mesh, double featureAngle);
 };
 
 #endif

@@ -14,6 +14,8 @@ void vtkMTSequenceState::Save(std::vector<unsigned char>& bytes) const
   writer.PutList(this->NodeOfFragment);
   writer.Put(this->NextRegions);
   writer.Put(this->SimplifiedTriangles);
+  writer.Put(this->FeatureAngle);
+  writer.Put(this->AutomaticFeatureAngle);
   std::vector<unsigned char> records;
   if (this->Stage == HasPatches)
   {
@@ -35,6 +37,8 @@ bool vtkMTSequenceState::Load(vtkMTSpoolStore& store, const std::vector<unsigned
   reader.TakeList(this->NodeOfFragment);
   this->NextRegions = reader.Take<std::uint32_t>();
   this->SimplifiedTriangles = reader.Take<std::uint64_t>();
+  this->FeatureAngle = reader.Take<double>();
+  this->AutomaticFeatureAngle = reader.Take<double>();
   std::vector<unsigned char> records;
   reader.TakeList(records);
   if (!reader.IsSound() || !reader.IsAtEnd() || this->LevelElements.empty())

@@ -38,6 +38,11 @@ public:
   std::vector<std::uint32_t> NodeOfFragment; ///< None: of M_0, or an empty region
   std::uint32_t NextRegions = 0;             ///< of Psi_(Level + 1), when there are patches
   std::uint64_t SimplifiedTriangles = 0;
+  ///@{
+  /// Of made normals, degrees: that which they have, and that which the mesh would choose. Below 0: none are made.
+  double FeatureAngle = -1.0;
+  double AutomaticFeatureAngle = -1.0;
+  ///@}
 
   vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
   vtkMTBarycentreSpool Barycentres; ///< of M_Level, in the order of the fragments

@@ -5,7 +5,9 @@
  *
  * vtkMTPointNormals sums over the triangles around a point, in their order; around a shared point these are in several
  * regions. Their terms are sorted by point and triangle (externally), summed in that order, and the direction is sorted
- * back to every region that has the point. A term's sign is known when the orientation is.
+ * back to every region that has the point. A term's sign is known when the orientation is. Where normals are split
+ * along hard edges, the triangles around a point are in memory together, and those that do not belong to its first
+ * group get a normal each.
  */
 #ifndef vtkMTSharedNormals_h
 #define vtkMTSharedNormals_h
@@ -30,33 +32,48 @@ public:
     std::uint64_t Key; ///< point above, the triangle's number below; AllTriangles for the entry that names a region
     std::uint32_t Component;
     std::uint32_t IsTurned;
+    std::uint32_t Next; ///< identities of the triangle's other corners, in its order
+    std::uint32_t Previous;
+    std::uint32_t Region;
+    std::uint32_t Triangle; ///< its index in the region
     std::array<double, 3> Sum;
   };
+
+  /// Of a fragment's shared point: of all its triangles, or of one that has another normal than that.
+  struct Normal
+  {
+    std::uint32_t Point;
+    std::uint32_t Triangle; ///< or AllTriangles
+    std::array<float, 3> Value;
+  };
+  static constexpr std::uint32_t AllTriangles = ~std::uint32_t(0);
 
   /// memory: bytes, for both sorts together.
   vtkMTSharedNormals(vtkMTSpoolStore& store, std::size_t memory);
 
   /**
    * The terms of a fragment's triangles at its shared points. Made by any thread; componentOf and isTurned are the
-   * fragment's (vtkMTOrientation::Fragment), and components are still counted within it.
+   * fragment's (vtkMTOrientation::Fragment), and components are still counted within it; identities are those of its
+   * points.
    */
   static void FindTerms(const vtkMTPatch& fragment, const std::vector<std::uint32_t>& numbers,
-    const std::vector<std::uint32_t>& componentOf, const std::vector<unsigned char>& isTurned, std::uint32_t region,
-    std::vector<Term>& terms);
+    const std::vector<std::uint32_t>& identities, const std::vector<std::uint32_t>& componentOf,
+    const std::vector<unsigned char>& isTurned, std::uint32_t region, std::vector<Term>& terms);
 
   ///@{
   /// All fragments' terms, with the numbers that vtkMTOrientation gave to their components; then Solve; then regions in
   /// increasing order. False with a message in GetError.
   bool Add(const std::vector<Term>& terms, const std::vector<std::uint32_t>& components);
-  bool Solve(const vtkMTOrientation& orientation);
-  /// Replaces the normals of the fragment's shared points.
-  bool Take(std::uint32_t region, const vtkMTPatch& fragment, std::vector<std::array<float, 3>>& normals);
+  bool Solve(const vtkMTOrientation& orientation, double featureAngle);
+  /// Of the fragment's shared points in their order, that of all triangles first.
+  bool Take(std::uint32_t region, const vtkMTPatch& fragment, std::vector<Normal>& normals);
   ///@}
 
   const std::string& GetError() const { return this->Error; }
 
 private:
-  static constexpr std::uint32_t AllTriangles = ~std::uint32_t(0);
+  bool SolvePoint(std::vector<Term>& terms, const vtkMTOrientation& orientation, double featureAngle);
+  bool AddNormal(std::uint32_t region, const Normal& normal);
 
   vtkMTRecordSort Terms;
   vtkMTRecordSort Normals;

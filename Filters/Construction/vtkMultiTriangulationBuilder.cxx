@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -140,6 +141,21 @@ vtkMTimeType vtkMultiTriangulationBuilder::GetMTime()
   return std::max({ this->Superclass::GetMTime(), this->PartitionStrategy->GetMTime(), this->Simplifier->GetMTime() });
 }
 
+void vtkMultiTriangulationBuilder::SetFeatureAngle(double degrees)
+{
+  if (std::isnan(degrees))
+  {
+    vtkErrorMacro("SetFeatureAngle: the value is not a number; FeatureAngle stays " << this->FeatureAngle << ".");
+    return;
+  }
+  degrees = degrees < 0.0 ? AutomaticFeatureAngle : std::min(degrees, 180.0);
+  if (this->FeatureAngle != degrees)
+  {
+    this->FeatureAngle = degrees;
+    this->Modified();
+  }
+}
+
 void vtkMultiTriangulationBuilder::SetSpoolStore(std::shared_ptr<vtkMTSpoolStore> store)
 {
   this->SpoolStore = std::move(store);
@@ -211,6 +227,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.PatchTriangles = static_cast<std::size_t>(this->PatchTriangles);
   settings.LatticeBits = this->LatticeBits;
   settings.MakeNormals = this->MakeNormals;
+  settings.FeatureAngle = this->FeatureAngle;
   settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.ExactPoints = this->ExactPoints;
   settings.LabelArrays = this->LabelArrays;
@@ -306,7 +323,7 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
     identity += "; values " + name;
   }
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
-    " bits, normals " + (this->MakeNormals ? "made" : "not made") +
+    " bits, normals " + (this->MakeNormals ? "made, feature angle " + std::to_string(this->FeatureAngle) : "not made") +
     (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") + "; " +
     this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
 }
@@ -369,6 +386,7 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LatticeBits: " << this->LatticeBits << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MakeNormals: " << (this->MakeNormals ? "on" : "off") << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "SpoolStore: " << (this->SpoolStore ? "given" : "in memory") << "\n";
   os << indent << "Resume: " << (this->Resume ? "on" : "off") << "\n";

@@ -69,10 +69,24 @@ public:
   ///@}
 
   ///@{
-  /// Whether smooth normals are made when the input has no point normals. Default on.
+  /// Whether normals are made when the input has no point normals. Default on.
   vtkSetMacro(MakeNormals, bool);
   vtkGetMacro(MakeNormals, bool);
   vtkBooleanMacro(MakeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Made normals are split along edges whose triangles' normals are farther apart than this, in degrees: points stay
+   * shared, only their normals differ. 180 makes all normals smooth, 0 all triangles flat; half a degree is allowed for
+   * what the lattice rounds. Negative values are AutomaticFeatureAngle, the default: 30 where the angles of the mesh's
+   * edges say that it is CAD (vtkMTDihedralAngles has the rule), 180 otherwise. Values above 180 are 180; NaN is
+   * refused with an error. The model's settings "feature_angle" and "feature_angle_auto" say what was taken, and what
+   * the mesh would choose.
+   */
+  void SetFeatureAngle(double degrees);
+  vtkGetMacro(FeatureAngle, double);
+  static constexpr double AutomaticFeatureAngle = -1.0;
   ///@}
 
   ///@{
@@ -180,7 +194,10 @@ public:
   vtkGetMacro(HasCheckpoint, bool);
 
   /// What the last Build spent its time with.
-  const vtkMTStageTimes& GetStageTimes() const { return *this->StageTimes; }
+  const vtkMTStageTimes& GetStageTimes() const
+  {
+    return *this->StageTimes;
+  }
 
   /// Of the settings, strategy and simplifier included.
   vtkMTimeType GetMTime() override;
@@ -214,6 +231,7 @@ private:
   int LatticeBits = 24;
   int NumberOfThreads = 0;
   bool MakeNormals = true;
+  double FeatureAngle = AutomaticFeatureAngle;
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
   std::vector<std::string> LabelArrays;

@@ -76,7 +76,8 @@ vtkMTArc vtkMTMakeArcRecord(const vtkMTPatch& patch, double step)
   arc.Wedges = static_cast<std::uint32_t>(patch.GetNumberOfWedges());
   arc.SharedPoints = static_cast<std::uint32_t>(patch.Ids.size());
   arc.Box = patch.GetBox();
-  arc.MeanEdgeLength = static_cast<float>(patch.GetMeanEdgeLength() * step);
+  arc.MeanEdgeLength = static_cast<float>(
+    std::min(patch.GetMeanEdgeLength() * step, static_cast<double>(std::numeric_limits<float>::max())));
   SetCone(patch, arc);
   return arc;
 }

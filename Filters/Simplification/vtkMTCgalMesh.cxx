@@ -57,6 +57,7 @@ vtkMTCgalMesh::vtkMTCgalMesh(vtkMTCollapseMesh& mesh)
 
 void vtkMTCgalMesh::BeginCollapse(Halfedge h)
 {
+  this->Copy.UpdateValences(static_cast<std::uint32_t>(h.idx()));
   this->Around.clear();
   this->Ends = { this->Mesh.source(h), this->Mesh.target(h) };
   for (const Halfedge start : { h, this->Mesh.opposite(h) })

@@ -26,6 +26,7 @@ vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
   this->Faces.resize(corners / 3);
   this->Outs.resize(fans.GetNumberOfVertices());
   this->Places.resize(fans.GetNumberOfVertices());
+  this->Valences.assign(fans.GetNumberOfVertices(), 0);
   for (std::uint32_t c = 0; c < corners; ++c)
   {
     const std::uint32_t next = vtkMTFanMesh::Next(c);
@@ -38,6 +39,10 @@ vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
     }
   }
   this->LinkBorders(fans, halfedges);
+  for (const Halfedge& h : this->Halfedges)
+  {
+    ++this->Valences[h.Target];
+  }
 }
 
 // A vertex is one fan, so at most one border half-edge runs into it and one out of it.
@@ -75,8 +80,23 @@ bool vtkMTCollapseMesh::IsBorderVertex(std::uint32_t vertex) const
   return false;
 }
 
+void vtkMTCollapseMesh::UpdateValences(std::uint32_t h)
+{
+  const std::uint32_t merged = this->GetMergedValence(h);
+  this->Valences[this->GetSource(h)] = merged;
+  this->Valences[this->GetTarget(h)] = merged;
+  for (const std::uint32_t side : { h, h ^ 1 })
+  {
+    if (!this->IsBorder(side))
+    {
+      --this->Valences[this->GetTarget(this->GetNext(side))];
+    }
+  }
+}
+
 void vtkMTCollapseMesh::Collapse(std::uint32_t h)
 {
+  this->UpdateValences(h);
   const std::uint32_t back = h ^ 1;
   const std::uint32_t removed = this->GetSource(h);
   const std::uint32_t kept = this->GetTarget(h);

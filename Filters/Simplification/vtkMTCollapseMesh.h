@@ -8,6 +8,8 @@
  * arrays: an edge without targets, a face or vertex without a half-edge. Indices never change.
  *
  * Where seams run, half-edge h carries the wedge of the corner at its target in its face.
+ *
+ * The number of edges of each vertex is kept, so that what goes around vertices can leave out those that have too many.
  */
 #ifndef vtkMTCollapseMesh_h
 #define vtkMTCollapseMesh_h
@@ -33,11 +35,12 @@ public:
     std::uint32_t Face = None;
   };
 
-  std::vector<Halfedge> Halfedges;   ///< [2 edges]
-  std::vector<std::uint32_t> Wedges; ///< [2 edges] empty without seams
-  std::vector<std::uint32_t> Faces;  ///< [faces] a half-edge of each
-  std::vector<std::uint32_t> Outs;   ///< [vertices] a half-edge that starts from each
-  std::vector<Vector> Places;        ///< [vertices]
+  std::vector<Halfedge> Halfedges;     ///< [2 edges]
+  std::vector<std::uint32_t> Wedges;   ///< [2 edges] empty without seams
+  std::vector<std::uint32_t> Faces;    ///< [faces] a half-edge of each
+  std::vector<std::uint32_t> Outs;     ///< [vertices] a half-edge that starts from each
+  std::vector<Vector> Places;          ///< [vertices]
+  std::vector<std::uint32_t> Valences; ///< [vertices] numbers of edges
 
   /// Takes over the fans; Places are left for the caller to fill.
   explicit vtkMTCollapseMesh(const vtkMTFanMesh& fans);
@@ -54,6 +57,13 @@ public:
   bool IsBorder(std::uint32_t h) const { return this->Halfedges[h].Face == None; }
   bool IsBorderEdge(std::uint32_t h) const { return this->IsBorder(h) || this->IsBorder(h ^ 1); }
   bool IsBorderVertex(std::uint32_t vertex) const;
+  std::uint32_t GetValence(std::uint32_t vertex) const { return this->Valences[vertex]; }
+  /// Of the vertex that is left when the edge is collapsed.
+  std::uint32_t GetMergedValence(std::uint32_t h) const
+  {
+    return this->GetValence(this->GetSource(h)) + this->GetValence(this->GetTarget(h)) - 2 -
+      (this->IsBorder(h) ? 0 : 1) - (this->IsBorder(h ^ 1) ? 0 : 1);
+  }
   /// The next half-edge out of the same vertex, counter-clockwise.
   std::uint32_t GetNextOut(std::uint32_t h) const { return this->Halfedges[h].Previous ^ 1; }
   const Vector& GetPlace(std::uint32_t vertex) const { return this->Places[vertex]; }
@@ -69,6 +79,8 @@ public:
    * removed; wedges are left as they are. Only where the link condition holds.
    */
   void Collapse(std::uint32_t h);
+  /// Before the edge is collapsed, by Collapse or by someone else: the valences afterwards.
+  void UpdateValences(std::uint32_t h);
   /// Closes a border of three edges with a triangle.
   void FillHole(std::uint32_t h);
   /// Whether every index is what it says, in the whole mesh.

@@ -87,8 +87,8 @@ struct Filter
   Place operator()(const Profile& profile, const Place& place) const
   {
     const std::uint32_t h = GetHalfedge(profile);
-    const bool isRefused = !place || this->R->MakesChord(h, this->R->GetRule(h)) || this->R->MakesDoubleEdge(h) ||
-      this->R->SpoilsShape(h, vtkMTCgalMesh::ToVector(*place));
+    const bool isRefused = !place || this->R->MakesHub(h) || this->R->MakesChord(h, this->R->GetRule(h)) ||
+      this->R->MakesDoubleEdge(h) || this->R->SpoilsShape(h, vtkMTCgalMesh::ToVector(*place));
     return isRefused ? Place() : place;
   }
 };

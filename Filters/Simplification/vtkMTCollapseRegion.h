@@ -44,7 +44,7 @@ public:
     Plain = 0,
     Border = 1, ///< on an open border that nothing outside shares
     Seam = 2,   ///< between exactly two seam edges
-    Kept = 3    ///< locked, non-manifold, or a junction or an end of seams
+    Kept = 3    ///< locked, non-manifold, a junction or an end of seams, or among seams a hub
   };
 
   struct VertexState
@@ -88,6 +88,18 @@ public:
   const VertexState& GetState(std::uint32_t v) const { return this->States[v]; }
 
   bool IsSeamEdge(std::uint32_t h) const;
+
+  ///@{
+  /// Hubs are vertices of more edges than HubValence. No collapse makes one or takes part in one, so that a collapse
+  /// takes no more time than a bound: what goes around vertices goes around others only. A hub is one no longer when
+  /// collapses around it have taken its edges.
+  static constexpr std::uint32_t LargestValence = 512;
+  std::uint32_t HubValence = LargestValence;
+  bool IsHub(std::uint32_t v) const { return this->Mesh.GetValence(v) > this->HubValence; }
+  bool MakesHub(std::uint32_t h) const { return this->Mesh.GetMergedValence(h) > this->HubValence; }
+  /// Whether any vertex has more edges.
+  bool HasVertexAbove(std::uint32_t valence) const;
+  ///@}
 
   /// Counts a step; throws StepLimitReached.
   void Step()

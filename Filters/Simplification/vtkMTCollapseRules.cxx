@@ -19,7 +19,7 @@ bool vtkMTCollapseRegion::IsSeamEdge(std::uint32_t h) const
 
 unsigned char vtkMTCollapseRegion::ComputeRank(std::uint32_t v) const
 {
-  if (this->GetState(v).Lock)
+  if (this->GetState(v).Lock || this->IsHub(v))
   {
     return Kept;
   }
@@ -144,9 +144,19 @@ bool vtkMTCollapseRegion::MakesDoubleEdge(std::uint32_t h) const
   return false;
 }
 
-// Whether v has a neighbour that is of fan's point but is not fan.
+bool vtkMTCollapseRegion::HasVertexAbove(std::uint32_t valence) const
+{
+  const std::vector<std::uint32_t>& valences = this->Mesh.Valences;
+  return !valences.empty() && *std::max_element(valences.begin(), valences.end()) > valence;
+}
+
+// Whether v has a neighbour that is of fan's point but is not fan; a hub may have.
 bool vtkMTCollapseRegion::IsNextToOtherFan(std::uint32_t v, std::uint32_t fan) const
 {
+  if (this->IsHub(v))
+  {
+    return true;
+  }
   const std::uint32_t point = this->GetState(fan).Point;
   const std::uint32_t begin = this->Mesh.Outs[v];
   std::uint32_t h = begin;
@@ -327,6 +337,10 @@ const char* vtkMTCollapseRegion::GetCause(std::uint32_t h) const
   if (rule == Rule::Refused)
   {
     return this->GetCauseOfRanks(h);
+  }
+  if (this->MakesHub(h))
+  {
+    return "valence";
   }
   if (!this->SatisfiesLink(h))
   {

@@ -30,6 +30,11 @@ const std::array<ModeRecord, 4> Modes = { { { "fast", vtkMTCollapse::RunFast }, 
 // A pass may leave edges that later collapses nearby have set free; it is worth another one while it gets anywhere.
 constexpr int MaximumPasses = 16;
 
+// CGAL's loop asks, after every collapse, for all edges of all neighbours, and goes around both ends of each: the cube
+// of the number of edges at a vertex. Regions with a vertex of more edges than these are left to the toolkit's own
+// loop.
+constexpr std::uint32_t LargestValenceOfStockLoop = 64;
+
 double GetDiagonal(const vtkMTBox& box)
 {
   double sum = 0.0;
@@ -120,12 +125,15 @@ bool vtkMTEdgeCollapse::SimplifyOrThrow(const vtkMTPatch& floor, const std::vect
 
 bool vtkMTEdgeCollapse::Collapse(vtkMTCollapseRegion& region, double largestHole, std::string& error) const
 {
+  const bool isFast = this->Mode == FAST || region.HasVertexAbove(LargestValenceOfStockLoop);
+  region.HubValence = isFast ? vtkMTCollapseRegion::LargestValence : LargestValenceOfStockLoop;
+  const auto run = Modes[isFast ? FAST : this->Mode].Run;
   try
   {
     for (int pass = 0; pass < MaximumPasses && region.Faces > region.Target; ++pass)
     {
       const std::size_t before = region.Faces;
-      Modes[this->Mode].Run(region);
+      run(region);
       const bool stuck = region.Faces == before;
       if (stuck && region.CloseHoles(largestHole) == 0)
       {

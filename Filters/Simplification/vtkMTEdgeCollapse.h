@@ -10,13 +10,15 @@
  * edge). Where seams run, collapses follow them, so every triangle keeps attributes of one side. Closed components end
  * as tetrahedra at the least. When a floor stays above its target, small holes are closed, which no outside triangle
  * touches and which have shrunk to three edges; then whole small components are left out (see vtkMTComponentRemoval),
- * and what remains is counted by cause.
+ * and what remains is counted by cause. No collapse makes a vertex of more than 512 edges, or takes part in one
+ * ("valence"), so that the time is in proportion to the floor whatever its shape.
  *
  * Modes. FAST uses memoryless area-weighted quadrics (Garland and Heckbert 1997; Lindstrom and Turk, "Evaluation of
  * Memoryless Simplification", 1999) in a loop of the toolkit's own: it asks again, after a collapse, for the costs at
  * the kept vertex only, and takes edges whose costs differ by less than a thirty-second in no particular order. BEST is
  * the same in CGAL's edge_collapse(), which asks for all costs within two rings: six times slower and one or two
- * percent nearer to the floor. LINDSTROM_TURK and GARLAND_HECKBERT are CGAL's policies of these names, with the same
+ * percent nearer to the floor; a floor with a vertex of more than 64 edges, with which CGAL's loop takes time by the
+ * cube of them, is left to FAST. LINDSTROM_TURK and GARLAND_HECKBERT are CGAL's policies of these names, with the same
  * locks, for comparison.
  *
  * This class's implementation includes CGAL, which is under the GPL.

@@ -63,7 +63,7 @@ private:
   {
     this->R.Step();
     const vtkMTCollapseRegion::Rule rule = this->R.GetRule(h);
-    if (rule == vtkMTCollapseRegion::Rule::Refused || !this->R.SatisfiesLink(h))
+    if (rule == vtkMTCollapseRegion::Rule::Refused || this->R.MakesHub(h) || !this->R.SatisfiesLink(h))
     {
       return;
     }

@@ -66,9 +66,24 @@ void vtkMTQuadrics::Update(std::uint32_t kept)
   this->MakeQuadric(kept);
   do
   {
-    this->MakeQuadric(m.GetTarget(h));
+    if (!this->IsStillGood(m.GetTarget(h)))
+    {
+      this->MakeQuadric(m.GetTarget(h));
+    }
     h = m.GetNextOut(h);
   } while (h != begin);
+}
+
+// Whether a vertex is a hub with few changes, of which one more is counted.
+bool vtkMTQuadrics::IsStillGood(std::uint32_t v)
+{
+  if (!this->R.IsHub(v))
+  {
+    return false;
+  }
+  std::uint32_t& changes = this->ChangesOfHubs[v];
+  changes = 8 * changes < this->R.Mesh.GetValence(v) ? changes + 1 : 0;
+  return changes > 0;
 }
 
 // Of the half-edge's face, weighted by its area.

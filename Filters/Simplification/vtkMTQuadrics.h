@@ -10,6 +10,9 @@
  * borders and seams, planes through the edge and perpendicular to the surface hold its shape. The place is the
  * quadric's minimum, drawn to the edge's midpoint by a small part of the trace, which settles directions in which the
  * surface is flat; a still smaller term of edge length puts the edges of flat parts in order and cures slivers.
+ *
+ * A hub's quadric (vtkMTCollapseRegion::IsHub), which no collapse of it waits for, is made anew once an eighth of its
+ * triangles may have changed: every time would take time in proportion to the square of its triangles.
  */
 #ifndef vtkMTQuadrics_h
 #define vtkMTQuadrics_h
@@ -17,6 +20,7 @@
 #include "vtkMTCollapseRegion.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 class vtkMTQuadrics
@@ -65,14 +69,16 @@ private:
   static Quadric MakePlaneQuadric(const Vector& normal, const Vector& on);
   void MakeFaceQuadric(std::uint32_t h);
   void MakeQuadric(std::uint32_t v);
+  bool IsStillGood(std::uint32_t v);
   void AddCurveQuadrics(std::uint32_t v, Quadric& q) const;
   Quadric GetSum(std::uint32_t h) const;
   double GetCost(const Quadric& q, std::uint32_t h, const Vector& place) const;
   static Vector Minimize(const Quadric& q, const Vector& middle);
 
   const vtkMTCollapseRegion& R;
-  std::vector<Quadric> FaceQuadrics; // [faces]
-  std::vector<Quadric> Quadrics;     // [vertices]
+  std::vector<Quadric> FaceQuadrics;                    // [faces]
+  std::vector<Quadric> Quadrics;                        // [vertices]
+  std::map<std::uint32_t, std::uint32_t> ChangesOfHubs; // since their quadrics were made
 };
 
 #endif

@@ -35,7 +35,7 @@ struct VTKMTSIMPLIFICATION_EXPORT vtkMTSimplification
   /// guess of what lies where, for those who compare the two meshes; empty when the simplifier does not know.
   std::vector<std::uint32_t> Heirs;
   /// When the target was not reached: edges left that could not be collapsed, by cause ("locked", "non_manifold",
-  /// "seam", "topology", "fold", "chord", "steps"), and triangles of components that were left out
+  /// "seam", "valence", "topology", "fold", "chord", "steps"), and triangles of components that were left out
   /// ("component_triangles").
   std::map<std::string, std::int64_t> Blocked;
   std::int64_t RemovedComponents = 0; ///< whole components left out because the target could not be reached with them

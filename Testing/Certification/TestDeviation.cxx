@@ -221,6 +221,35 @@ TEST(TriangleTree, WorkIsInProportionEvenWhereNoTreeHelps)
   EXPECT_TRUE(tree.IsExhausted());
 }
 
+// Around one point, all triangles are nearest to it: looking among them takes the square of their number.
+TEST(Deviation, FansTakePiecesInProportionAndAreBoundTightly)
+{
+  const auto makeFan = [](std::uint32_t count)
+  {
+    vtkMTPatch mesh;
+    mesh.Points.push_back({ 0, 0, 100000 });
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979 * i / count;
+      mesh.Points.push_back({ static_cast<std::int32_t>(std::lround(1e6 * std::cos(angle))),
+        static_cast<std::int32_t>(std::lround(1e6 * std::sin(angle))), 0 });
+      mesh.Triangles.push_back({ 0, 1 + i, 1 + (i + 1) % count });
+    }
+    return mesh;
+  };
+  double perTriangle[2];
+  for (const std::uint32_t count : { 1000u, 4000u })
+  {
+    const vtkMTDeviation result = GetDeviation(makeFan(count), makeFan(count / 2));
+    perTriangle[count / 4000] = static_cast<double>(result.Pieces) / count;
+    std::printf("%u triangles: %.2f pieces for each, bound %.3f, at least %.3f\n", count, perTriangle[count / 4000],
+      result.UpperBound, result.LowerBound);
+    EXPECT_FALSE(result.BudgetUsedUp);
+    EXPECT_LE(result.UpperBound, 2.0 * result.LowerBound + 1.0);
+  }
+  EXPECT_LE(perTriangle[1], 2.0 * perTriangle[0] + 1.0);
+}
+
 TEST(Deviation, BoundHoldsForHeapsOfTriangles)
 {
   const vtkMTPatch one = MakeHeap(1200, 7);

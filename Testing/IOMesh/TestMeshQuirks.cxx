@@ -13,6 +13,7 @@
 #include "vtkMTPolyDataStream.h"
 
 #include "vtkCellData.h"
+#include "vtkInformation.h"
 #include "vtkLookupTable.h"
 #include "vtkMassProperties.h"
 #include "vtkMultiBlockDataSet.h"

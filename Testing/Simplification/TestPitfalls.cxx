@@ -165,6 +165,30 @@ TEST(Pitfalls, NoNewEdgeJoinsTwoLockedPoints)
   }
 }
 
+// What goes around a vertex of thousands of edges for every collapse next to it takes the square of them.
+TEST(Pitfalls, CollapsesLeaveHubsAloneUntilTheyAreNone)
+{
+  constexpr std::uint32_t spokes = 4000;
+  std::vector<Place> places{ { 0.0, 0.0, 0.3 } };
+  std::vector<Corners> triangles;
+  for (std::uint32_t i = 0; i < spokes; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979 * i / spokes;
+    places.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    const auto next = static_cast<vtkIdType>(1 + (i + 1) % spokes);
+    triangles.push_back({ 0, static_cast<vtkIdType>(1 + i), next });
+  }
+  const vtkMTPatch floor = MakeFloor(places, triangles);
+  for (const int mode : AllModes)
+  {
+    const Outcome locked = Simplify(floor, LockBorder(floor), spokes / 2, mode);
+    EXPECT_EQ(locked.Result.Blocked.at("valence"), spokes);
+    const Outcome free = Simplify(floor, LockNothing(floor), spokes / 16, mode);
+    EXPECT_EQ(FindFault(floor, LockNothing(floor), free.Result), "");
+    EXPECT_LE(free.Result.Triangles.size(), spokes / 16);
+  }
+}
+
 // Pitfall 5: CGAL collapses edges without length first and asks no predicate.
 TEST(Pitfalls, EdgesWithoutLengthStopAtTheTargetAndRespectLocks)
 {

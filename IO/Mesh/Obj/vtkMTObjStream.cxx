@@ -51,8 +51,8 @@ public:
     , TextureSpool(store)
     , NormalSpool(store)
     , FaceSpool(store)
-    , OtherSpool(store)
     , Wedges(store, memory)
+    , OtherSpool(store)
   {
   }
 

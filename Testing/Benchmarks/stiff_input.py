@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Builds meshes of kinds that invite quadratic time, of n, 2n and 4n triangles, and prints what each took.
+
+usage: stiff_input.py BMT WORK [--kinds KIND ...] [--triangles N] [--simplifier MODE] [--limit SECONDS]
+
+BMT is the command; WORK takes meshes and models, which are deleted. N is the largest size (default: what each kind's
+table says); n and 2n are a quarter and a half of it. CPU seconds are user and system; the exponent is log2 of the ratio
+of the last two: 1 is linear, 2 quadratic.
+"""
+import argparse
+import array
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+
+class Mesh:
+    def __init__(self):
+        self.points = array.array("d")
+        self.triangles = array.array("i")
+
+    def point(self, x, y, z):
+        self.points.extend((x, y, z))
+        return len(self.points) // 3 - 1
+
+    def triangle(self, a, b, c):
+        self.triangles.extend((a, b, c))
+
+    def write(self, path):
+        points = len(self.points) // 3
+        count = len(self.triangles) // 3
+        with open(path, "wb") as out:
+            out.write((f"ply\nformat binary_little_endian 1.0\nelement vertex {points}\n"
+                       "property double x\nproperty double y\nproperty double z\n"
+                       f"element face {count}\nproperty list uchar int vertex_indices\nend_header\n").encode())
+            out.write(self.points.tobytes())
+            faces = bytearray(13 * count)
+            for t in range(count):
+                faces[13 * t] = 3
+                faces[13 * t + 1:13 * t + 13] = self.triangles[3 * t:3 * t + 3].tobytes()
+            out.write(faces)
+
+
+def add_ring(mesh, n, z, wobble):
+    return [mesh.point(math.cos(a) * r, math.sin(a) * r, z + 0.02 * math.sin(9.0 * a))
+            for a, r in ((2.0 * math.pi * i / n, 1.0 + wobble * math.sin(7.0 * 2.0 * math.pi * i / n)) for i in range(n))]
+
+
+def add_fan(mesh, apex, ring):
+    for i, p in enumerate(ring):
+        mesh.triangle(apex, p, ring[(i + 1) % len(ring)])
+
+
+def fan(n):
+    mesh = Mesh()
+    add_fan(mesh, mesh.point(0.0, 0.0, 0.5), add_ring(mesh, n, 0.0, 0.1))
+    return mesh
+
+
+def two_fans(n):
+    mesh = Mesh()
+    apex = mesh.point(0.0, 0.0, 0.0)
+    add_fan(mesh, apex, add_ring(mesh, n // 2, -0.5, 0.1))
+    add_fan(mesh, apex, add_ring(mesh, n // 2, 0.5, 0.1)[::-1])
+    return mesh
+
+
+def spindle(n):
+    """Two apexes over one ring, closed."""
+    mesh = Mesh()
+    ring = add_ring(mesh, n // 2, 0.0, 0.1)
+    add_fan(mesh, mesh.point(0.0, 0.0, 0.5), ring)
+    add_fan(mesh, mesh.point(0.0, 0.0, -0.5), ring[::-1])
+    return mesh
+
+
+def barycentres(n):
+    """Triangles around one barycentre, which no rounding moves."""
+    mesh = Mesh()
+    for i in range(1, n + 1):
+        u, v = (i, i * 7919 % (n + 1))
+        mesh.triangle(mesh.point(u, v, 0.0), mesh.point(-v, u - v, 1.0), mesh.point(v - u, -u, -1.0))
+    return mesh
+
+
+def components(n):
+    mesh = Mesh()
+    side = math.ceil(n ** (1.0 / 3.0))
+    for i in range(n):
+        x, y, z = i % side, i // side % side, i // side // side
+        mesh.triangle(mesh.point(x, y, z), mesh.point(x + 0.5, y, z), mesh.point(x, y + 0.5, z + 0.1))
+    return mesh
+
+
+def boxes(n):
+    """Closed components of twelve triangles, all in one row: no region is without some of other ones'."""
+    mesh = Mesh()
+    corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2),
+             (1, 3, 7), (1, 7, 5))
+    for i in range(n // 12):
+        base = [mesh.point(2.0 * i + x, y, z) for x, y, z in corners]
+        for face in faces:
+            mesh.triangle(*(base[k] for k in face))
+    return mesh
+
+
+def needles(n):
+    """A ruled strip: triangles as long as the mesh."""
+    mesh = Mesh()
+    low = [mesh.point(0.0, 1e-4 * i, 0.01 * math.sin(0.01 * i)) for i in range(n // 2 + 1)]
+    high = [mesh.point(1000.0, 1e-4 * i, 0.01 * math.cos(0.013 * i)) for i in range(n // 2 + 1)]
+    for i in range(n // 2):
+        mesh.triangle(low[i], high[i], low[i + 1])
+        mesh.triangle(high[i], high[i + 1], low[i + 1])
+    return mesh
+
+
+def pages(n):
+    """Triangles at one edge, as a book's."""
+    mesh = Mesh()
+    a, b = mesh.point(0.0, 0.0, 0.0), mesh.point(0.0, 0.0, 1.0)
+    for i in range(n):
+        t = 2.0 * math.pi * i / n
+        mesh.triangle(a, b, mesh.point(math.cos(t), math.sin(t), 0.5))
+    return mesh
+
+
+def sheets(n):
+    """One square again and again at the same place, with points of its own each time."""
+    mesh = Mesh()
+    for _ in range(n // 2):
+        a, b, c, d = (mesh.point(x, y, 0.0) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        mesh.triangle(a, b, c)
+        mesh.triangle(a, c, d)
+    return mesh
+
+
+def touching(n):
+    """Tetrahedra with one corner in common."""
+    mesh = Mesh()
+    o = mesh.point(0.0, 0.0, 0.0)
+    for i in range(n // 4):
+        z = 1.0 - 2.0 * (i + 0.5) / (n // 4)
+        t, r = 2.399963 * i, math.sqrt(1.0 - z * z)
+        d = 0.5 / math.sqrt(n)
+        a, b, c = (mesh.point(r * math.cos(t) + x, r * math.sin(t) + y, z + w) for x, y, w in ((d, 0, 0), (0, d, 0), (0, 0, d)))
+        for face in ((o, a, b), (o, b, c), (o, c, a), (a, c, b)):
+            mesh.triangle(*face)
+    return mesh
+
+
+KINDS = {"fan": (fan, 100000), "two_fans": (two_fans, 100000), "spindle": (spindle, 100000),
+         "barycentres": (barycentres, 80000), "components": (components, 300000), "boxes": (boxes, 300000),
+         "needles": (needles, 100000), "pages": (pages, 100000), "sheets": (sheets, 100000), "touching": (touching, 100000)}
+
+
+def build(arguments, mesh, model):
+    command = [arguments.bmt, "build", mesh, "-o", model, "--simplifier", arguments.simplifier]
+    child = subprocess.Popen([str(c) for c in command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    end = time.monotonic() + arguments.limit
+    while time.monotonic() < end:
+        pid, status, usage = os.wait4(child.pid, os.WNOHANG)
+        if pid:
+            if status != 0:
+                print(child.stderr.read().decode(), file=sys.stderr)
+                return math.nan
+            return usage.ru_utime + usage.ru_stime
+        time.sleep(0.02)
+    child.kill()
+    child.wait()
+    return math.inf
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("bmt", type=pathlib.Path)
+    parser.add_argument("work", type=pathlib.Path)
+    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
+    parser.add_argument("--triangles", type=int)
+    parser.add_argument("--simplifier", default="fast")
+    parser.add_argument("--limit", type=float, default=600.0)
+    arguments = parser.parse_args()
+    print("| kind | triangles | n, CPU s | 2n | 4n | exponent |\n|---|---|---|---|---|---|")
+    for kind in arguments.kinds:
+        make, default = KINDS[kind]
+        triangles = arguments.triangles or default
+        seconds = []
+        for divisor in (4, 2, 1):
+            mesh = arguments.work / f"{kind}.ply"
+            model = arguments.work / f"{kind}.bmt"
+            make(triangles // divisor).write(mesh)
+            seconds.append(build(arguments, mesh, model))
+            mesh.unlink()
+            model.unlink(missing_ok=True)
+        exponent = math.log2(seconds[2] / seconds[1])
+        print(f"| {kind} | {triangles} | " + " | ".join(f"{s:.2f}" for s in seconds) + f" | {exponent:.2f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
