@@ -66,7 +66,8 @@ public:
   /// What the input has, and what of it was left out.
   const vtkMTSampledSurface& GetInput() const { return this->Input; }
   std::uint64_t GetNumberOfCuts() const { return this->Cuts; }
-  double GetTolerance() const { return this->Frame.ToModel(vtkMTMeasuringFrame::Tolerance); }
+  /// For the rounding of coordinates, the input's where these are calculated included; model units.
+  double GetTolerance() const { return this->Frame.ToModel(vtkMTMeasuringFrame::Tolerance) + this->Input.Rounding; }
 
 private:
   struct CutSurface

@@ -153,6 +153,7 @@ bool vtkMTInputComparison::Load(const vtkMTVerificationProgress& progress, std::
   {
     largest = std::max({ largest, std::abs(bounds.Minimum[axis]), std::abs(bounds.Maximum[axis]) });
   }
+  this->Original.Rounding = this->Rounding * largest;
   this->Allowance = graph.Lattice.MaximumShift + (this->Rounding + vtkMTMeasuringFrame::Tolerance) * largest;
   vtkMTRealBounds both = this->Model.GetBounds();
   both.Add(bounds);

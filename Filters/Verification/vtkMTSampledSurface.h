@@ -28,6 +28,7 @@ struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
   std::vector<vtkMTTriangle> Triangles;
   std::vector<vtkIdType> Cells; ///< of each triangle, where the surface is made of cells; else empty
   std::vector<double> Slack;    ///< of each triangle, see vtkMTVerifyPolygons; empty: none has any
+  double Rounding = 0.0;        ///< what its coordinates may be off by, where they are calculated; model units
   std::int64_t NonFinite = 0;   ///< triangles left out because a corner is NaN or infinite
   std::int64_t OutOfRange = 0;  ///< triangles left out because an index is
   std::int64_t FarOutliers = 0; ///< triangles left out because the model says that it lacks what is so far away
