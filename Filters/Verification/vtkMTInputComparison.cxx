@@ -6,13 +6,13 @@
 #include "vtkMTGraph.h"
 #include "vtkMTInputArrays.h"
 #include "vtkMTLabelCheck.h"
+#include "vtkMTLatticeKeys.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTVerifyPolygons.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <unordered_set>
 
 namespace
 {
@@ -46,59 +46,9 @@ std::string Write(const Parts&... parts)
   (text << ... << parts);
   return text.str();
 }
-
-// The edges of the model's finest level, by the lattice points at their ends.
-class Edges
-{
-public:
-  Edges(const vtkMTGraph& graph, const vtkMTSampledSurface& model)
-    : Lattice(graph.Lattice)
-  {
-    graph.GetBounds(this->Box);
-    for (const vtkMTTriangle& t : model.Triangles)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        this->Found.insert(this->Mix(model.Points[t[i]], model.Points[t[(i + 1) % 3]]));
-      }
-    }
-  }
-
-  bool Has(const Vector& a, const Vector& b) const
-  {
-    return this->IsWithin(a) && this->IsWithin(b) && this->Found.count(this->Mix(a, b)) > 0;
-  }
-
-private:
-  bool IsWithin(const Vector& x) const
-  {
-    const double margin = this->Lattice.Step;
-    return x[0] >= this->Box[0] - margin && x[0] <= this->Box[1] + margin && x[1] >= this->Box[2] - margin &&
-      x[1] <= this->Box[3] + margin && x[2] >= this->Box[4] - margin && x[2] <= this->Box[5] + margin;
-  }
-  static std::uint64_t Mix(std::uint64_t x)
-  {
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-    return x ^ x >> 31;
-  }
-  std::uint64_t Mix(const Vector& a) const
-  {
-    const vtkMTPoint k = this->Lattice.Snap(a.data());
-    std::uint64_t hash = 0;
-    for (std::int32_t c : k)
-    {
-      hash = Mix(hash + 0x9e3779b97f4a7c15u + static_cast<std::uint32_t>(c));
-    }
-    return hash;
-  }
-  std::uint64_t Mix(const Vector& a, const Vector& b) const { return Mix(this->Mix(a) + this->Mix(b)); }
-
-  const vtkMTLattice& Lattice;
-  double Box[6];
-  std::unordered_set<std::uint64_t> Found;
-};
 }
+
+vtkMTInputComparison::~vtkMTInputComparison() = default;
 
 vtkMTInputComparison::vtkMTInputComparison(
   const vtkMTPatchSource& source, vtkPolyData* input, double rounding, std::size_t limit)
@@ -139,10 +89,13 @@ bool vtkMTInputComparison::Load(const vtkMTVerificationProgress& progress, std::
     return false;
   }
   vtkMTVerifyPolygons(nullptr).Split(this->ModelMesh, this->Model);
-  const Edges edges(graph, this->Model);
-  vtkMTVerifyPolygons polygons([&edges](const Vector& a, const Vector& b) { return edges.Has(a, b); });
+  double box[6];
+  graph.GetBounds(box);
+  this->Keys = std::make_unique<vtkMTLatticeKeys>(graph.Lattice, box, this->Model);
+  vtkMTVerifyPolygons polygons([this](const Vector& a, const Vector& b) { return this->Keys->HasEdge(a, b); });
   polygons.Split(this->InputMesh, this->Original);
   this->Original.LeaveOutFar(graph);
+  this->InputKeys = std::make_unique<vtkMTLatticeKeys>(graph.Lattice, box, this->Original);
   this->OpenTriangles = polygons.GetOpenTriangles();
   this->OpenArea = polygons.GetOpenArea();
   this->OpenVolume = polygons.GetOpenVolume();
@@ -320,56 +273,83 @@ bool vtkMTInputComparison::Match(std::uint32_t input, std::uint32_t model, Pair&
   return true;
 }
 
+// Triangles of the model that have the same corners, or the ones that are nearest to points of the input's triangle,
+// where rounding leads to other lattice points.
+std::vector<std::uint32_t> vtkMTInputComparison::FindCandidates(std::uint32_t t, const vtkMTClosestPoint& search) const
+{
+  const vtkMTTriangle& corners = this->Input.Triangles[t];
+  const auto& places = this->Original.Points;
+  std::vector<std::uint32_t> found =
+    this->Keys->FindTriangles(places[corners[0]], places[corners[1]], places[corners[2]]);
+  if (!found.empty())
+  {
+    return found;
+  }
+  const double weights[4][3] = { { 1, 1, 1 }, { 4, 1, 1 }, { 1, 4, 1 }, { 1, 1, 4 } };
+  for (const auto& weight : weights) // several, since others may pass through one
+  {
+    Vector x{ 0.0, 0.0, 0.0 };
+    for (int i = 0; i < 9; ++i)
+    {
+      x[i % 3] += weight[i / 3] * this->Input.Points[corners[i / 3]][i % 3] / (weight[0] + weight[1] + weight[2]);
+    }
+    const std::uint32_t nearest = search.Find(x).Triangle;
+    if (nearest != vtkMTClosestPoint::NoTriangle)
+    {
+      found.push_back(nearest);
+    }
+  }
+  return found;
+}
+
+// Several triangles with these corners lie on each other, or one is so thin that its nearest may be any.
+bool vtkMTInputComparison::IsUnclear(std::uint32_t t) const
+{
+  const vtkMTTriangle& corners = this->Input.Triangles[t];
+  const auto& places = this->Original.Points;
+  const auto& x = this->Input.Points;
+  const double longest = std::max({ Length(Subtract(x[corners[1]], x[corners[0]])),
+    Length(Subtract(x[corners[2]], x[corners[1]])), Length(Subtract(x[corners[0]], x[corners[2]])) });
+  return this->Input.Slack[t] > 0.0 ||
+    2.0 * this->Input.GetArea(t) <= 8.0 * this->Allowance * this->Frame.Scale * longest ||
+    this->InputKeys->FindTriangles(places[corners[0]], places[corners[1]], places[corners[2]]).size() > 1;
+}
+
 bool vtkMTInputComparison::TestOrientation(const vtkMTVerificationProgress& progress, vtkMTVerificationCheck& check)
 {
   const std::size_t count = this->Input.Triangles.size();
   const std::size_t stride = std::max<std::size_t>(1, (count + this->Limit - 1) / this->Limit);
-  const double s = this->Allowance * this->Frame.Scale;
-  std::vector<std::uint32_t> chosen;
-  std::vector<Vector> middles;
-  for (std::size_t t = 0; t < count; t += stride)
-  {
-    const vtkMTTriangle& corners = this->Input.Triangles[t];
-    const Vector& a = this->Input.Points[corners[0]];
-    const Vector& b = this->Input.Points[corners[1]];
-    const Vector& c = this->Input.Points[corners[2]];
-    const double longest = std::max({ Length(Subtract(b, a)), Length(Subtract(c, b)), Length(Subtract(a, c)) });
-    if (2.0 * this->Input.GetArea(t) > 8.0 * s * longest) // or its nearest triangle may be another one
-    {
-      chosen.push_back(static_cast<std::uint32_t>(t));
-      middles.push_back({ (a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0, (a[2] + b[2] + c[2]) / 3.0 });
-    }
-  }
-  std::vector<double> distances;
-  std::vector<std::uint32_t> own, nearest;
-  const auto advance = [&](double before)
-  { return [&progress, before](double share) { return progress("comparing triangles", before + 0.2 * share); }; };
-  if (!vtkMTClosestPoint(this->Input).Measure(middles, distances, &own, advance(0.4)) ||
-    !vtkMTClosestPoint(this->Model).Measure(middles, distances, &nearest, advance(0.6)))
-  {
-    return false;
-  }
+  const std::int64_t mayTurn = this->GetCount("reoriented_triangles");
+  const vtkMTClosestPoint search(this->Model);
   std::int64_t turned = 0;
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  for (std::size_t i = 0; i < count; i += stride)
   {
-    const std::uint32_t t = chosen[i];
-    if (own[i] != t || this->Input.Slack[t] > 0.0 || nearest[i] == vtkMTClosestPoint::NoTriangle)
+    if (i % (stride * 1024) == 0 && !progress("comparing triangles", 0.4 + 0.4 * static_cast<double>(i) / count))
     {
-      continue; // triangles that lie on each other, and polygons with other diagonals
+      return false;
+    }
+    const auto t = static_cast<std::uint32_t>(i);
+    if (this->IsUnclear(t))
+    {
+      continue;
     }
     ++check.Tested;
     Pair pair;
-    if (!this->Match(t, nearest[i], pair))
+    const std::vector<std::uint32_t> candidates = this->FindCandidates(t, search);
+    const auto isMatch = [&](std::uint32_t model) { return this->Match(t, model, pair); };
+    if (std::none_of(candidates.begin(), candidates.end(), isMatch))
     {
-      check.Fail("the triangle about " + this->Describe(middles[i]) + " of the input is not in the model");
+      check.Fail("the triangle with a corner at " + this->Describe(this->Input.Points[this->Input.Triangles[t][0]]) +
+        " of the input is not in the model");
       continue;
     }
     const bool isTurned = (pair.Corners[1] + 3 - pair.Corners[0]) % 3 != 1;
     turned += isTurned ? 1 : 0;
-    if (turned > this->GetCount("reoriented_triangles") && isTurned)
+    if (isTurned && turned > mayTurn)
     {
-      check.Fail(Write("the triangle about ", this->Describe(middles[i]),
-        " is turned over, and the model's report counts ", this->GetCount("reoriented_triangles"), " such"));
+      check.Fail(
+        Write("the triangle with a corner at ", this->Describe(this->Input.Points[this->Input.Triangles[t][0]]),
+          " is turned over, and the model's report counts ", mayTurn, " such"));
     }
     this->Pairs.push_back(pair);
   }

@@ -27,9 +27,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+class vtkMTClosestPoint;
+class vtkMTLatticeKeys;
 class vtkMTPatchSource;
 
 class VTKMTVERIFICATION_EXPORT vtkMTInputComparison
@@ -56,6 +59,7 @@ public:
   /// rounding: of the input's coordinates, as a share of the largest; limit: triangles that are held against each other
   /// one by one.
   vtkMTInputComparison(const vtkMTPatchSource& source, vtkPolyData* input, double rounding, std::size_t limit);
+  ~vtkMTInputComparison();
 
   /// False when the model cannot be read, which error says, and when progress stopped it; then error is empty.
   bool Test(const vtkMTVerificationProgress& progress, std::vector<vtkMTVerificationCheck>& checks, std::string& error);
@@ -77,6 +81,8 @@ private:
   vtkMTVerificationCheck TestArea() const;
   vtkMTVerificationCheck TestVolume() const;
   bool TestOrientation(const vtkMTVerificationProgress& progress, vtkMTVerificationCheck& check);
+  std::vector<std::uint32_t> FindCandidates(std::uint32_t t, const vtkMTClosestPoint& search) const;
+  bool IsUnclear(std::uint32_t t) const;
   bool Match(std::uint32_t input, std::uint32_t model, Pair& pair) const;
   std::string Describe(const vtkMTRealPoint& local) const;
 
@@ -90,6 +96,8 @@ private:
   vtkMTSampledSurface Original; // in model units
   vtkMTSampledSurface Input;    // these two in the frame
   vtkMTSampledSurface Model;
+  std::unique_ptr<vtkMTLatticeKeys> Keys; // of the model's surface
+  std::unique_ptr<vtkMTLatticeKeys> InputKeys;
   std::int64_t OpenTriangles = 0;
   double OpenArea = 0.0;
   double OpenVolume = 0.0;

@@ -22,6 +22,8 @@ namespace
 {
 // Coordinates that are calculated in single precision somewhere on the way, a few operations long.
 constexpr double SingleRounding = 1e-6;
+// Coordinates that are stored in single precision: half a unit in the last place, along three axes.
+constexpr double SingleStorage = 1.1e-7;
 
 struct Reader
 {
@@ -79,7 +81,8 @@ void ReadMesh(const std::string& path, vtkPolyData* out, vtkMTVerifyInput::Sourc
   {
     source.Reason = error.empty() ? "cannot be read" : error;
   }
-  rounding = std::max(rounding, format == "glb" || format == "gltf" ? SingleRounding : 0.0);
+  const double own = format == "glb" || format == "gltf" ? SingleRounding : (stock ? 0.0 : SingleStorage);
+  rounding = std::max(rounding, own);
 }
 
 bool ReadVolume(

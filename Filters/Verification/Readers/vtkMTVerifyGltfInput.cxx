@@ -125,12 +125,30 @@ public:
         }
       }
     }
-    return std::all_of(roots.begin(), roots.end(), [this](double root) { return this->AddNode(root, Affine(), 0); });
+    const bool isRead =
+      std::all_of(roots.begin(), roots.end(), [this](double root) { return this->AddNode(root, Affine(), 0); });
+    this->Mesh.Fill();
+    this->DropUniform("MaterialIds");
+    this->DropUniform("BaseColors");
+    return isRead;
   }
 
   vtkMTVerifyMesh Mesh;
 
 private:
+  // One material, or one colour, tells no cells apart.
+  void DropUniform(const std::string& name)
+  {
+    const auto isUniform = [&](const vtkMTVerifyMesh::Array& array)
+    {
+      const std::vector<double>& v = array.Values;
+      const bool isSame = v.empty() || std::equal(v.begin() + array.Components, v.end(), v.begin());
+      return array.Name == name && array.IsOfCells && isSame;
+    };
+    std::vector<vtkMTVerifyMesh::Array>& arrays = this->Mesh.Arrays;
+    arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isUniform), arrays.end());
+  }
+
   bool Fail(const std::string& message)
   {
     this->Error = message;
@@ -370,14 +388,12 @@ private:
     if (materials.size() > 1)
     {
       vtkMTVerifyMesh::Array& ids = this->Mesh.GetArray("MaterialIds", vtkMTVerifyMesh::Names, true, 1);
-      const std::string number = std::to_string(static_cast<long long>(index));
-      const std::string name = material.Has("name") ? material.Get("name").String : number;
       ids.Values.resize(before, NaN);
       ids.Values.resize(before + count, static_cast<double>(index));
       ids.Names.resize(std::max<std::size_t>(ids.Names.size(), static_cast<std::size_t>(index + 1.0)));
       if (index >= 0.0)
       {
-        ids.Names[static_cast<std::size_t>(index)] = name;
+        ids.Names[static_cast<std::size_t>(index)] = material.Get("name").String; // none is demanded where it has none
       }
     }
     if (this->HasBaseColors)
