@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulation.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMTArrayInfo.h"
 #include "vtkMTCut.h"
@@ -15,6 +17,35 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+namespace
+{
+enum ConsumerType
+{
+  Unused = 1, // by some consumer
+  Warned = 2
+};
+
+vtkInformationIntegerKey* GetUses()
+{
+  static vtkInformationIntegerKey* const key =
+    vtkInformationIntegerKey::MakeKey("USES_PATCHES", "vtkMultiTriangulation");
+  return key;
+}
+
+vtkInformationIntegerKey* GetConsumer()
+{
+  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("CONSUMER", "vtkMultiTriangulation");
+  return key;
+}
+
+bool HoldsCoarsest(vtkMultiTriangulation* model)
+{
+  const std::shared_ptr<const vtkMTPatchSource> source = model ? model->GetSource() : nullptr;
+  return source && model->GetNumberOfLevels() > 1 &&
+    static_cast<std::uint64_t>(model->GetNumberOfCells()) == source->GetKnownGraph().GetNumberOfRootTriangles();
+}
+}
 
 vtkStandardNewMacro(vtkMultiTriangulation);
 
@@ -278,4 +309,50 @@ bool vtkMultiTriangulation::CutToPolyData(
   vtkMTCutMesh mesh;
   mesh.Arcs = cut.GetArcs();
   return mesh.Make(source, output, error);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::AnnounceUse(vtkInformationVector** inputs)
+{
+  if (vtkInformation* info = inputs[0]->GetInformationObject(0))
+  {
+    info->Set(GetUses(), 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::CheckUse(vtkAlgorithm* producer, vtkInformationVector* outputs, int port)
+{
+  vtkInformation* info = port >= 0 ? outputs->GetInformationObject(port) : nullptr;
+  if (!info)
+  {
+    return;
+  }
+  if (info->Has(GetUses()))
+  {
+    info->Remove(GetUses());
+    return;
+  }
+  if (!info->Has(GetConsumer()))
+  {
+    info->Set(GetConsumer(), Unused);
+  }
+  vtkMultiTriangulation::WarnOfUse(producer, outputs);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulation::WarnOfUse(vtkAlgorithm* producer, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkMultiTriangulation* model = vtkMultiTriangulation::GetData(outputs);
+  if (!info->Has(GetConsumer()) || info->Get(GetConsumer()) == Warned || !HoldsCoarsest(model))
+  {
+    return;
+  }
+  info->Set(GetConsumer(), Warned);
+  vtkWarningWithObjectMacro(producer,
+    "A filter that knows polydata alone works on the coarsest cut, of "
+      << model->GetNumberOfCells() << " triangles, where the finest level has " << model->GetNumberOfFinestTriangles()
+      << ". A vtkMultiTriangulationCutFilter before it gives it a finer one; so does "
+         "vtkMultiTriangulationReader::SetOutputError.");
 }

@@ -31,6 +31,7 @@
 #include <memory>
 #include <string>
 
+class vtkAlgorithm;
 class vtkMTCut;
 class vtkMTPatchSource;
 
@@ -114,6 +115,21 @@ public:
    */
   static bool CutToPolyData(
     const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output, std::string& error);
+
+  ///@{
+  /**
+   * How a producer finds out whether a filter behind it knows the patches. VTK does not tell it who takes its output;
+   * but whenever a consumer updates, ComputePipelineMTime is called on the consumer first and on the producer then. So
+   * a filter that uses the patches of its first input leaves a mark on it (AnnounceUse), and the producer takes it away
+   * (CheckUse, with the port that its ComputePipelineMTime is called for): where there is none, the consumer does not
+   * know them. Nothing is kept of the consumer, which may be gone at any time. WarnOfUse is for the end of a producer's
+   * RequestData: it warns, once for each output, where such a consumer asked and the output's own mesh is the coarsest
+   * of several cuts.
+   */
+  static void AnnounceUse(vtkInformationVector** inputs);
+  static void CheckUse(vtkAlgorithm* producer, vtkInformationVector* outputs, int port);
+  static void WarnOfUse(vtkAlgorithm* producer, vtkInformationVector* outputs);
+  ///@}
 #endif
 
 protected:

@@ -11,7 +11,6 @@
 #include "vtkMTMeshMemory.h"
 #include "vtkMTPatchSink.h"
 #include "vtkMTPatchStore.h"
-#include "vtkMTPatchUse.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTSequenceState.h"
 #include "vtkMTStageTimes.h"
@@ -309,14 +308,14 @@ int vtkMultiTriangulationBuilder::RequestData(
     return 0;
   }
   const bool filled = output->SetSource(store);
-  vtkMTPatchUse::Warn(this, outputVector);
+  vtkMultiTriangulation::WarnOfUse(this, outputVector);
   return filled ? 1 : 0;
 }
 
 int vtkMultiTriangulationBuilder::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Check(this, outputVector, port);
+  vtkMultiTriangulation::CheckUse(this, outputVector, port);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 

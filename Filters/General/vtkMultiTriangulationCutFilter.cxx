@@ -8,7 +8,6 @@
 #include "vtkMTFunctionSigns.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTPatchUse.h"
 #include "vtkMTPlacedGraph.h"
 #include "vtkMTRegionCut.h"
 #include "vtkMTTargetCut.h"
@@ -245,7 +244,7 @@ vtkMTimeType vtkMultiTriangulationCutFilter::GetMTime()
 int vtkMultiTriangulationCutFilter::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Announce(inputVector);
+  vtkMultiTriangulation::AnnounceUse(inputVector);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 

@@ -7,7 +7,6 @@
 #include "vtkMTFunctionSigns.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTPatchUse.h"
 #include "vtkMTPlacedGraph.h"
 #include "vtkMTRegionCut.h"
 #include "vtkMTSectionLines.h"
@@ -140,7 +139,7 @@ vtkMTimeType vtkMultiTriangulationSection::GetMTime()
 int vtkMultiTriangulationSection::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Announce(inputVector);
+  vtkMultiTriangulation::AnnounceUse(inputVector);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationTransform.h"
 
-#include "vtkMTPatchUse.h"
 #include "vtkMTPlacement.h"
 #include "vtkMultiTriangulation.h"
 
@@ -92,8 +91,8 @@ vtkTypeBool vtkMultiTriangulationTransform::ProcessRequest(
 int vtkMultiTriangulationTransform::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Announce(inputVector);
-  vtkMTPatchUse::Check(this, outputVector, port);
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  vtkMultiTriangulation::CheckUse(this, outputVector, port);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
@@ -123,6 +122,6 @@ int vtkMultiTriangulationTransform::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     return 0;
   }
-  vtkMTPatchUse::Warn(this, outputVector);
+  vtkMultiTriangulation::WarnOfUse(this, outputVector);
   return 1;
 }

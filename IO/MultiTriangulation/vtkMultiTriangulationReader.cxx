@@ -3,7 +3,6 @@
 
 #include "vtkMTFileByteSource.h"
 #include "vtkMTFileSource.h"
-#include "vtkMTPatchUse.h"
 #include "vtkMultiTriangulation.h"
 
 #include "vtkDemandDrivenPipeline.h"
@@ -75,7 +74,7 @@ void vtkMultiTriangulationReader::SetOutputError(double error)
 int vtkMultiTriangulationReader::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Check(this, outputVector, port);
+  vtkMultiTriangulation::CheckUse(this, outputVector, port);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 
@@ -150,6 +149,6 @@ int vtkMultiTriangulationReader::RequestData(
     vtkErrorMacro(<< this->FileName << ": the coarsest patches cannot be read");
     return 0;
   }
-  vtkMTPatchUse::Warn(this, outputVector);
+  vtkMultiTriangulation::WarnOfUse(this, outputVector);
   return 1;
 }

@@ -4,7 +4,6 @@
 #include "vtkMTFileSink.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTPatchUse.h"
 #include "vtkMultiTriangulation.h"
 
 #include "vtkErrorCode.h"
@@ -32,7 +31,7 @@ void vtkMultiTriangulationWriter::PrintSelf(ostream& os, vtkIndent indent)
 int vtkMultiTriangulationWriter::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Announce(inputVector);
+  vtkMultiTriangulation::AnnounceUse(inputVector);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 

@@ -5,7 +5,6 @@
 #include "vtkCamera.h"
 #include "vtkMTCutMesh.h"
 #include "vtkMTPatchAttributes.h"
-#include "vtkMTPatchUse.h"
 #include "vtkMTRendererView.h"
 #include "vtkMTSetMacros.h"
 #include "vtkMatrix4x4.h"
@@ -153,7 +152,7 @@ bool vtkMultiTriangulationMapper::HasPatches()
 int vtkMultiTriangulationMapper::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int port, vtkMTimeType* time)
 {
-  vtkMTPatchUse::Announce(inputVector);
+  vtkMultiTriangulation::AnnounceUse(inputVector);
   return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
 }
 

@@ -3,7 +3,6 @@
 #include "MTIOTest.h"
 #include "MTTestModel.h"
 
-#include "vtkMTPatchUse.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationReader.h"
 #include "vtkMultiTriangulationWriter.h"
@@ -44,7 +43,7 @@ public:
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
     int port, vtkMTimeType* time) override
   {
-    vtkMTPatchUse::Announce(inputs);
+    vtkMultiTriangulation::AnnounceUse(inputs);
     return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
   }
 };
