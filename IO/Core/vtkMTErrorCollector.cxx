@@ -40,6 +40,10 @@ vtkMTErrorCollector::~vtkMTErrorCollector()
   {
     observed.first->RemoveObserver(observed.second);
   }
+  if (this->Displaced)
+  {
+    vtkOutputWindow::SetInstance(this->Displaced);
+  }
 }
 
 void vtkMTErrorCollector::Observe(vtkAlgorithm* algorithm)
@@ -55,6 +59,13 @@ void vtkMTErrorCollector::Observe(vtkObject* object)
 
 void vtkMTErrorCollector::ObserveOutputWindow(bool warningsToo)
 {
+  if (!this->Displaced)
+  {
+    this->Displaced = vtkOutputWindow::GetInstance();
+    const vtkNew<vtkOutputWindow> quiet;
+    quiet->SetDisplayModeToNever();
+    vtkOutputWindow::SetInstance(quiet);
+  }
   vtkOutputWindow* window = vtkOutputWindow::GetInstance();
   this->Observe(static_cast<vtkObject*>(window));
   if (warningsToo)

@@ -15,6 +15,7 @@ class vtkAlgorithm;
 class vtkCallbackCommand;
 class vtkCommand;
 class vtkObject;
+class vtkOutputWindow;
 
 class VTKMTIOCORE_EXPORT vtkMTErrorCollector
 {
@@ -27,7 +28,7 @@ public:
   void Observe(vtkAlgorithm* algorithm);
   void Observe(vtkObject* object);
   /// What VTK says without naming an object that could be observed: some readers report damage by warnings of no one.
-  /// Whatever other threads say in the meantime is taken for it too.
+  /// While this lives it is collected instead of being displayed; whatever other threads say in the meantime, too.
   void ObserveOutputWindow(bool warningsToo);
   /// For objects that take an error observer instead of being observed.
   vtkCommand* GetCommand();
@@ -43,6 +44,8 @@ private:
 
   std::vector<std::string> Messages;
   vtkNew<vtkCallbackCommand> Command;
+  vtkSmartPointer<vtkOutputWindow>
+    Displaced; // the output window that displays messages otherwise; null: it is in place
   std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> Observed;
 };
 

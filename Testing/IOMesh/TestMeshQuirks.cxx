@@ -448,14 +448,10 @@ TEST(MeshQuirks, EveryMeshFormatIsReadThroughGzip)
     const vtkNew<vtkPolyData> plain;
     const vtkNew<vtkPolyData> read;
     ASSERT_TRUE(vtkMTMeshReader::Read(folder / name, plain, error)) << error;
-    if (!vtkMTMeshReader::Read(compressed, read, error))
-    {
-      EXPECT_STREQ(name, "a.glb") << error;
-      continue;
-    }
+    ASSERT_TRUE(vtkMTMeshReader::Read(compressed, read, error)) << error;
     EXPECT_EQ(read->GetNumberOfPoints(), plain->GetNumberOfPoints()) << name;
     EXPECT_EQ(read->GetNumberOfPolys(), plain->GetNumberOfPolys()) << name;
-    if (name[2] == 'p' || name[2] == 's')
+    if (std::strcmp(name, "a.vtp") != 0 && std::strcmp(name, "a.glb") != 0)
     {
       ExpectStreamedAlike(compressed, plain, Counts());
     }

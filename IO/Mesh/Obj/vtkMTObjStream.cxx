@@ -3,7 +3,7 @@
 
 #include "vtkMTChunkStream.h"
 #include "vtkMTFieldNames.h"
-#include "vtkMTFileByteSource.h"
+#include "vtkMTGzipByteSource.h"
 #include "vtkMTIdNames.h"
 #include "vtkMTObjMaterials.h"
 #include "vtkMTObjParser.h"
@@ -172,7 +172,7 @@ bool PassAll(
 class Stream : public vtkMTChunkStream
 {
 public:
-  Stream(std::unique_ptr<vtkMTFileByteSource> bytes, vtkMTSpoolStore* store, std::size_t memory)
+  Stream(std::unique_ptr<vtkMTByteSource> bytes, vtkMTSpoolStore* store, std::size_t memory)
     : vtkMTChunkStream(store, memory / 4)
     , Name(bytes->GetName())
     , File(*bytes, *store, memory)
@@ -430,7 +430,7 @@ private:
   vtkMTSpoolLookup Copies;
   vtkMTSpoolLookup Textures;
   vtkMTSpoolLookup Normals;
-  std::unique_ptr<vtkMTFileByteSource> Bytes; // while the file is read
+  std::unique_ptr<vtkMTByteSource> Bytes; // while the file is read
   std::uint64_t NextPoint = 0;
   vtkNew<vtkIntArray> Materials; // without values, with the names of all ids
   vtkNew<vtkIntArray> Groups;
@@ -442,7 +442,7 @@ std::unique_ptr<vtkMTTriangleStream> vtkMTObjStream::Open(
   const std::string& path, const vtkMTMeshStream::Settings& settings, vtkPolyData* names)
 {
   std::string error;
-  std::unique_ptr<vtkMTFileByteSource> bytes = vtkMTFileByteSource::Open(path, error);
+  std::unique_ptr<vtkMTByteSource> bytes = vtkMTGzipByteSource::OpenFile(path, error);
   if (!bytes || !settings.Store || bytes->GetSize() < settings.LeastSize)
   {
     return nullptr;

@@ -80,7 +80,7 @@ bool vtkMTXmlCheck::CheckBlock(std::string_view text, std::string& error) const
     if (vtkMTTextFormat::ToNumber(value, number) && !(number >= 0.0 && number <= most))
     {
       error = std::string(rest.substr(0, rest.find('='))) + " is " + std::string(value.substr(0, 40)) +
-        ", for which its size does not suffice";
+        ", for which its size does not suffice: it is truncated, or damaged";
       return false;
     }
   }
