@@ -23,10 +23,16 @@ vtkMTLatticeKeys::vtkMTLatticeKeys(
   this->Triangles.reserve(surface.Triangles.size());
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
+    const vtkMTTriangle& corners = surface.Triangles[t];
+    if (!std::all_of(
+          corners.begin(), corners.end(), [&](std::uint32_t p) { return this->IsWithin(surface.Points[p]); }))
+    {
+      continue; // beyond what the lattice can hold
+    }
     std::uint64_t keys[3];
     for (int i = 0; i < 3; ++i)
     {
-      keys[i] = this->GetKey(surface.Points[surface.Triangles[t][i]]);
+      keys[i] = this->GetKey(surface.Points[corners[i]]);
     }
     for (int i = 0; i < 3; ++i)
     {

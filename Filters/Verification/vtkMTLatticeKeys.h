@@ -22,7 +22,7 @@
 class VTKMTVERIFICATION_EXPORT vtkMTLatticeKeys
 {
 public:
-  /// Of a surface in model units, which lies within the bounds.
+  /// Of a surface in model units, as far as it lies within the bounds.
   vtkMTLatticeKeys(const vtkMTLattice& lattice, const double bounds[6], const vtkMTSampledSurface& surface);
 
   bool HasEdge(const vtkMTRealPoint& a, const vtkMTRealPoint& b) const;
