@@ -282,6 +282,14 @@ vtkTable* vtkMultiTriangulationVerifier::GetTightness()
   return this->Tightness;
 }
 
+//------------------------------------------------------------------------------
+int vtkMultiTriangulationVerifier::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->Superclass::ComputePipelineMTime(request, inputVector, outputVector, port, time);
+}
+
 int vtkMultiTriangulationVerifier::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");

@@ -157,6 +157,9 @@ public:
   vtkGetMacro(NumberOfFarOutliers, vtkIdType);
   ///@}
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMultiTriangulationVerifier();
   ~vtkMultiTriangulationVerifier() override;
