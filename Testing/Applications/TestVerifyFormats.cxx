@@ -214,7 +214,8 @@ protected:
       const MTRun run = this->Verify("wrong." + ending);
       EXPECT_EQ(run.Exit, 1) << ending << ", " << name << ": " << run.Out;
       std::string message;
-      for (const nlohmann::json& check : run.Json()["checks"])
+      const nlohmann::json report = run.Json();
+      for (const nlohmann::json& check : report["checks"])
       {
         message = check["name"] == difference.Check ? check.value("message", "") : message;
       }
