@@ -5,6 +5,7 @@
 #include "vtkMTFileAccess.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTGraph.h"
+#include "vtkMTLookupTable.h"
 #include "vtkMTMeshWriter.h"
 
 #include "vtkImageData.h"
@@ -60,19 +61,12 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
         { "type", vtkImageScalarTypeNameMacro(array.Type) }, { "components", array.Components },
         { "resampling", resampling[array.Resampling] }, { "role", roles[array.Role] },
         { "taken_for", array.GetMeaning() } });
+    for (const auto& [value, name] : vtkMTLookupTable::GetNames(array))
+    {
+      list.back()["names"][value] = name;
+    }
   }
   return list;
-}
-
-template <class Map>
-bmtJson DescribeMap(const Map& map)
-{
-  bmtJson json = bmtJson::object();
-  for (const auto& [name, value] : map)
-  {
-    json[name] = value;
-  }
-  return json;
 }
 
 std::string GetSetting(const vtkMTGraph& graph, const std::string& name)
@@ -110,15 +104,15 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["arrays"] = DescribeArrays(graph.Arrays);
   json["partition"] = GetStrategy(graph, "partition");
   json["simplifier"] = GetStrategy(graph, "simplifier");
-  json["settings"] = DescribeMap(graph.Settings);
+  json["settings"] = bmtJson(graph.Settings);
   const double target = std::atof(GetSetting(graph, "floor_triangles").c_str());
   const double largest = static_cast<double>(conditioning.LargestFloor);
   json["conditioning"] = { { "depth", conditioning.Depth }, { "diameter_ratio", conditioning.DiameterRatio },
     { "fully_shared_borders", conditioning.FullySharedBorders },
     { "largest_region_over_target", target > 0.0 ? largest / target : 0.0 } };
   json["root_triangles"] = graph.GetNumberOfRootTriangles();
-  json["blocked"] = DescribeMap(graph.Blocked);
-  json["input_report"] = DescribeMap(graph.InputReport);
+  json["blocked"] = bmtJson(graph.Blocked);
+  json["input_report"] = bmtJson(graph.InputReport);
   for (const vtkMTBlobInfo& blob : graph.Blobs)
   {
     bmtJson entry = { { "name", blob.Name }, { "type", blob.Type } };
