@@ -106,10 +106,9 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["simplifier"] = GetStrategy(graph, "simplifier");
   json["settings"] = bmtJson(graph.Settings);
   const double target = std::atof(GetSetting(graph, "floor_triangles").c_str());
-  const double largest = static_cast<double>(conditioning.LargestFloor);
   json["conditioning"] = { { "depth", conditioning.Depth }, { "diameter_ratio", conditioning.DiameterRatio },
     { "fully_shared_borders", conditioning.FullySharedBorders },
-    { "largest_region_over_target", target > 0.0 ? largest / target : 0.0 } };
+    { "largest_region_over_target", target > 0.0 ? static_cast<double>(conditioning.LargestFloor) / target : 0.0 } };
   json["root_triangles"] = graph.GetNumberOfRootTriangles();
   json["blocked"] = bmtJson(graph.Blocked);
   json["input_report"] = bmtJson(graph.InputReport);

@@ -90,6 +90,8 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   command.add_option("--color-by", options.ColorBy, "level, patch, error, or the name of a point or cell array");
+  command.add_option(
+    "--texture", options.Texture, "An image (PNG, JPEG) for the whole mesh, by its texture coordinates");
 }
 
 //------------------------------------------------------------------------------
@@ -102,6 +104,10 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
     throw bmtError(options.File + ": its coarsest patches cannot be read; 'bmt verify' says more");
   }
   this->Textures = vtkMTModelTextures::Read(*this->Model->GetSource());
+  if (std::string error; !options.Texture.empty() && !this->Textures.ReplaceByFile(options.Texture, error))
+  {
+    throw bmtError(error);
+  }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
   this->Mapper->SetTriangleLimit(options.Budget);

@@ -30,6 +30,7 @@ struct bmtSceneOptions
   double PixelError = 1.0;
   std::int64_t Budget = 0;
   std::string ColorBy;
+  std::string Texture;
 };
 
 void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options);

@@ -188,6 +188,21 @@ TEST_F(Render, TexturesAreDrawnOnTheirMaterialsAndMissingOnesListed)
   EXPECT_EQ(look(0.5, 0.8), (std::array<int, 3>{ 0, 1, 0 }));
   EXPECT_EQ(look(1.5, 0.2), (std::array<int, 3>{ 1, 1, 1 }));
   EXPECT_EQ(look(1.5, 0.8), (std::array<int, 3>{ 1, 1, 1 }));
+  // An image that the mesh does not name is on all of it, in place of those that it names.
+  const std::vector<std::string> call = { "render", this->Path("square.bmt"), "-o", this->Path("picture.png"), "--size",
+    "400x400", "--camera=1,0.5,4,1,0.5,0,0,1,0", "--texture", this->Path("two.png") };
+  EXPECT_TRUE(this->BmtJson(call)["texture_problems"].empty());
+  reader->Modified();
+  reader->Update();
+  for (const double x : { 0.5, 1.5 })
+  {
+    EXPECT_EQ(look(x, 0.2), (std::array<int, 3>{ 1, 0, 0 })) << x;
+    EXPECT_EQ(look(x, 0.8), (std::array<int, 3>{ 0, 1, 0 })) << x;
+  }
+  const MTRun refused = this->Bmt(
+    { "render", this->Path("square.bmt"), "-o", this->Path("other.png"), "--texture", this->Path("lost.jpg") });
+  EXPECT_EQ(refused.Exit, 1);
+  EXPECT_NE(refused.Err.find("lost.jpg: the image is damaged"), std::string::npos) << refused.Err;
 }
 
 TEST_F(Render, WithoutADisplayThereIsAMessageAndNoAbort)

@@ -105,7 +105,7 @@ std::vector<Right> GetGltf()
   instances.Bounds = {};
   instances.Volume = 3.0;
   instances.Area = 3.0 * CubeArea;
-  Right mixed = CubeWith("g_mixed.glb", "COLOR_0", { { 255, 0, 0, 255 }, { 255, 255, 255, 255 } });
+  Right mixed = CubeWith("g_mixed.glb", "COLOR_0", { { 255, 0, 0, 255 }, { 0, 0, 255, 255 } });
   mixed.Count = "united_arrays_filled";
   Right materials = CubeWith("g_matcolor.glb", "BaseColor", { { 255, 0, 0 }, { 0, 0, 255 } });
   for (Right* const two : { &mixed, &materials })

@@ -198,16 +198,31 @@ const std::vector<Group> Groups = { { "Normals", vtkMTVerifyMesh::Normals, { "nx
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "texture_u", "texture_v" } },
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "texture_s", "texture_t" } } };
 
-// A column of an array: which property, and what its values are divided by.
+// A column of an array: which property, of which type.
 struct Source
 {
   std::size_t Property;
-  double Unit;
+  std::string Type;
 };
 
-double GetUnit(const std::string& type)
+// What a full colour is in values of a type, of which `largest` is the largest that the file has: bytes are written
+// into any type.
+double GetUnit(const std::string& type, double largest)
 {
-  return type[0] == 'f' || type[0] == 'd' ? 1.0 : (GetSize(type) == 2 ? 65535.0 : 255.0);
+  if (type[0] == 'f' || type[0] == 'd')
+  {
+    return largest < 2.0 ? 1.0 : std::max(largest, 255.0);
+  }
+  if (GetSize(type) == 1 || largest <= 255.0)
+  {
+    return 255.0;
+  }
+  const bool isSigned = type[0] != 'u';
+  if (GetSize(type) == 2 || largest <= 65535.0)
+  {
+    return GetSize(type) == 2 && isSigned ? 32767.0 : 65535.0;
+  }
+  return isSigned ? 2147483647.0 : 4294967295.0;
 }
 
 class Columns
@@ -243,8 +258,7 @@ public:
         const std::size_t p = find(name);
         if (p < taken.size())
         {
-          const bool isColor = group.Kind == vtkMTVerifyMesh::Colors;
-          sources.push_back({ p, isColor ? GetUnit(element.Properties[p].Type) : 1.0 });
+          sources.push_back({ p, element.Properties[p].Type });
         }
       }
       if (sources.size() == group.Names.size())
@@ -257,7 +271,7 @@ public:
     {
       if (!taken[p] && element.Properties[p].CountType.empty())
       {
-        this->Add(element.Properties[p].Name, vtkMTVerifyMesh::Plain, isOfCells, { { p, 1.0 } });
+        this->Add(element.Properties[p].Name, vtkMTVerifyMesh::Plain, isOfCells, { { p, {} } });
       }
     }
   }
@@ -268,7 +282,19 @@ public:
     {
       for (const Source& source : this->Sources[a])
       {
-        this->Mesh.Arrays[this->First[a]].Values.push_back(row.Values[source.Property] / source.Unit);
+        this->Mesh.Arrays[this->First[a]].Values.push_back(row.Values[source.Property]);
+      }
+    }
+  }
+
+  // Behind the last row: only then is it known what the values of a colour count to.
+  void ScaleColors()
+  {
+    for (std::size_t a = 0; a < this->Sources.size(); ++a)
+    {
+      if (this->Mesh.Arrays[this->First[a]].Kind == vtkMTVerifyMesh::Colors)
+      {
+        ScaleColors(this->Sources[a], this->Mesh.Arrays[this->First[a]].Values);
       }
     }
   }
@@ -277,6 +303,21 @@ public:
   bool HasPlaces = true;
 
 private:
+  static void ScaleColors(const std::vector<Source>& sources, std::vector<double>& values)
+  {
+    std::map<std::string, double> largest;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      double& most = largest[sources[i % sources.size()].Type];
+      most = std::isfinite(values[i]) ? std::max(most, values[i]) : most;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const std::string& type = sources[i % sources.size()].Type;
+      values[i] /= GetUnit(type, largest[type]);
+    }
+  }
+
   void Add(const std::string& name, vtkMTVerifyMesh::KindType kind, bool isOfCells, const std::vector<Source>& sources)
   {
     this->Mesh.GetArray(name, kind, isOfCells, static_cast<int>(sources.size()));
@@ -333,6 +374,7 @@ bool ReadVertices(const Element& element, Body& body, vtkMTVerifyMesh& mesh, std
     mesh.Points.push_back({ row.Values[p[0]], row.Values[p[1]], row.Values[p[2]] });
     columns.Append(row);
   }
+  columns.ScaleColors();
   return true;
 }
 
@@ -365,6 +407,7 @@ bool ReadFaces(const Element& element, Body& body, vtkMTVerifyMesh& mesh, std::s
     mesh.Polygons.push_back(ids);
     columns.Append(row);
   }
+  columns.ScaleColors();
   return true;
 }
 }

@@ -103,6 +103,16 @@ const std::vector<std::string>& vtkMTGltfMaterials::GetOtherTextures()
   return names;
 }
 
+std::array<unsigned char, 4> vtkMTGltfMaterials::GetColor(int material) const
+{
+  const std::array<double, 4> color =
+    material < 0 ? Material().Color : this->Materials[static_cast<std::size_t>(material)].Color;
+  std::array<unsigned char, 4> bytes{};
+  std::transform(color.begin(), color.end(), bytes.begin(),
+    [](double value) { return static_cast<unsigned char>(std::floor(255.0 * std::clamp(value, 0.0, 1.0) + 0.5)); });
+  return bytes;
+}
+
 void vtkMTGltfMaterials::Describe(vtkDataArray* ids, bool hasCellsWithout) const
 {
   vtkNew<vtkVariantArray> values;
