@@ -8,31 +8,17 @@
 #include "vtkMTLabelCheck.h"
 #include "vtkMTLatticeKeys.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTVector.h"
 #include "vtkMTVerifyPolygons.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+using namespace vtkMTVector;
+
 namespace
 {
-using Vector = vtkMTRealPoint;
-
-Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double Length(const Vector& a)
 {
   return std::hypot(a[0], a[1], a[2]);
