@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationFileBuilder.h"
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkMultiTriangulationFileBuilderInternals.h"
 
 #include "vtkMTBuildError.h"
@@ -132,6 +133,7 @@ vtkTypeBool vtkMultiTriangulationFileBuilder::ProcessRequest(
 
 int vtkMultiTriangulationFileBuilder::BuildFile()
 {
+  const vtkMTLongWork work;
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->HasCheckpoint = false;
