@@ -2,12 +2,14 @@
 #include "vtkMTVerifyPlyInput.h"
 
 #include "vtkMTVerifyMesh.h"
+#include "vtkMTVerifyPlyColors.h"
 #include "vtkMTVerifyText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -205,26 +207,6 @@ struct Source
   std::string Type;
 };
 
-// What a full colour is in values of a type, of which `largest` is the largest that the file has: bytes are written
-// into any type.
-double GetUnit(const std::string& type, double largest)
-{
-  if (type[0] == 'f' || type[0] == 'd')
-  {
-    return largest < 2.0 ? 1.0 : std::max(largest, 255.0);
-  }
-  if (GetSize(type) == 1 || largest <= 255.0)
-  {
-    return 255.0;
-  }
-  const bool isSigned = type[0] != 'u';
-  if (GetSize(type) == 2 || largest <= 65535.0)
-  {
-    return GetSize(type) == 2 && isSigned ? 32767.0 : 65535.0;
-  }
-  return isSigned ? 2147483647.0 : 4294967295.0;
-}
-
 class Columns
 {
 public:
@@ -294,7 +276,10 @@ public:
     {
       if (this->Mesh.Arrays[this->First[a]].Kind == vtkMTVerifyMesh::Colors)
       {
-        ScaleColors(this->Sources[a], this->Mesh.Arrays[this->First[a]].Values);
+        std::vector<std::string> types;
+        std::transform(this->Sources[a].begin(), this->Sources[a].end(), std::back_inserter(types),
+          [](const Source& source) { return source.Type; });
+        vtkMTVerifyPlyColors::Scale(types, this->Mesh.Arrays[this->First[a]].Values);
       }
     }
   }
@@ -303,21 +288,6 @@ public:
   bool HasPlaces = true;
 
 private:
-  static void ScaleColors(const std::vector<Source>& sources, std::vector<double>& values)
-  {
-    std::map<std::string, double> largest;
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      double& most = largest[sources[i % sources.size()].Type];
-      most = std::isfinite(values[i]) ? std::max(most, values[i]) : most;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      const std::string& type = sources[i % sources.size()].Type;
-      values[i] /= GetUnit(type, largest[type]);
-    }
-  }
-
   void Add(const std::string& name, vtkMTVerifyMesh::KindType kind, bool isOfCells, const std::vector<Source>& sources)
   {
     this->Mesh.GetArray(name, kind, isOfCells, static_cast<int>(sources.size()));
