@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <sstream>
 
 #include <dlfcn.h>
 
@@ -52,6 +53,38 @@ std::string CheckCamera(const std::vector<double>& c)
   }
   return "the camera's position, focal point and view up do not make a view; position and focal point must differ, and "
          "view up must not point along the view";
+}
+}
+
+namespace
+{
+// VTK hands the camera's matrices to the GPU in single precision, which ends at 3.4e38, and the camera stands a few
+// times the model's size away; vtkCamera comes no nearer to its focal point than 1e-20.
+constexpr double LargestCoordinate = 1e37;
+constexpr double LeastSize = 1e-19;
+
+// Nothing where the model can be drawn.
+std::string CheckScale(const double bounds[6])
+{
+  double largest = 0.0;
+  double size = 0.0;
+  for (int i = 0; i < 6; ++i)
+  {
+    largest = std::max(largest, std::abs(bounds[i]));
+    size = std::max(size, std::abs(bounds[i] - bounds[i - i % 2]));
+  }
+  std::ostringstream text;
+  if (largest > LargestCoordinate)
+  {
+    text << "its coordinates are up to " << largest << ", and VTK draws none beyond " << LargestCoordinate
+         << ", since its cameras' matrices are in single precision";
+  }
+  else if (size < LeastSize)
+  {
+    text << "it is " << size << " in size, and VTK draws nothing below " << LeastSize
+         << ", since its cameras come no nearer than 1e-20";
+  }
+  return text.str();
 }
 }
 
@@ -102,6 +135,13 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   if (!this->Model->SetSource(bmtOpenModel(options.File)))
   {
     throw bmtError(options.File + ": its coarsest patches cannot be read; 'bmt verify' says more");
+  }
+  double bounds[6];
+  this->Model->GetModelBounds(bounds);
+  const std::string problem = CheckScale(bounds);
+  if (!problem.empty())
+  {
+    throw bmtError(options.File + " cannot be drawn: " + problem);
   }
   this->Textures = vtkMTModelTextures::Read(*this->Model->GetSource());
   if (std::string error; !options.Texture.empty() && !this->Textures.ReplaceByFile(options.Texture, error))

@@ -77,6 +77,7 @@ bool vtkMTFinishStep::FinishGraph()
     // What the mesh would choose is there whoever chose, so that the same normals give the same file.
     settings["feature_angle"] = ToText(this->State.FeatureAngle);
     settings["feature_angle_auto"] = ToText(this->State.AutomaticFeatureAngle);
+    settings["dihedral_angles"] = this->State.DihedralAngles;
   }
   settings["reduction"] = ToText(this->Options.Reduction); // of a level: a floor's triangles over its fragment's
   settings["floor_triangles"] = std::to_string(std::llround(this->Options.GetFloorTarget()));
