@@ -7,6 +7,8 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMTDisplay.h"
+#include "vtkMTDrawableScale.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMath.h"
@@ -20,9 +22,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <sstream>
-
-#include <dlfcn.h>
 
 //------------------------------------------------------------------------------
 // Options
@@ -53,38 +52,6 @@ std::string CheckCamera(const std::vector<double>& c)
   }
   return "the camera's position, focal point and view up do not make a view; position and focal point must differ, and "
          "view up must not point along the view";
-}
-}
-
-namespace
-{
-// VTK hands the camera's matrices to the GPU in single precision, which ends at 3.4e38, and the camera stands a few
-// times the model's size away; vtkCamera comes no nearer to its focal point than 1e-20.
-constexpr double LargestCoordinate = 1e37;
-constexpr double LeastSize = 1e-19;
-
-// Nothing where the model can be drawn.
-std::string CheckScale(const double bounds[6])
-{
-  double largest = 0.0;
-  double size = 0.0;
-  for (int i = 0; i < 6; ++i)
-  {
-    largest = std::max(largest, std::abs(bounds[i]));
-    size = std::max(size, std::abs(bounds[i] - bounds[i - i % 2]));
-  }
-  std::ostringstream text;
-  if (largest > LargestCoordinate)
-  {
-    text << "its coordinates are up to " << largest << ", and VTK draws none beyond " << LargestCoordinate
-         << ", since its cameras' matrices are in single precision";
-  }
-  else if (size < LeastSize)
-  {
-    text << "it is " << size << " in size, and VTK draws nothing below " << LeastSize
-         << ", since its cameras come no nearer than 1e-20";
-  }
-  return text.str();
 }
 }
 
@@ -138,8 +105,7 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   double bounds[6];
   this->Model->GetModelBounds(bounds);
-  const std::string problem = CheckScale(bounds);
-  if (!problem.empty())
+  if (const std::string problem = vtkMTDrawableScale::FindProblem(bounds); !problem.empty())
   {
     throw bmtError(options.File + " cannot be drawn: " + problem);
   }
@@ -184,31 +150,9 @@ void bmtScene::SetCamera(const bmtSceneOptions& options)
 
 void bmtScene::RequireDisplay() const
 {
-  if (!this->Window->IsA("vtkXOpenGLRenderWindow"))
+  if (const std::string problem = vtkMTDisplay::FindProblem(this->Window); !problem.empty())
   {
-    return; // VTK was built for something else than X
-  }
-  const char* name = std::getenv("DISPLAY");
-  bool isThere = name && *name;
-  // VTK aborts when the display cannot be opened. libX11 is loaded with VTK; it is asked by name, so that nothing of X
-  // is needed for building.
-  if (void* library = isThere ? dlopen("libX11.so.6", RTLD_LAZY) : nullptr)
-  {
-    const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
-    const auto close = reinterpret_cast<int (*)(void*)>(dlsym(library, "XCloseDisplay"));
-    if (void* display = open && close ? open(name) : nullptr)
-    {
-      close(display);
-    }
-    else
-    {
-      isThere = false;
-    }
-  }
-  if (!isThere)
-  {
-    throw bmtError("no display: DISPLAY is '" + std::string(name ? name : "") +
-      "' and cannot be opened; without a screen run it as xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt ...");
+    throw bmtError(problem + "; without a screen run it as xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt ...");
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkMultiTriangulationMapper: what a frame asks for, and what became of it.
+#include "vtkMTDrawableScale.h"
 #include "vtkMTRendererView.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
@@ -106,6 +107,12 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   {
     vtkErrorMacro(<< failure);
   }
+  const std::string problem = vtkMTDrawableScale::FindProblem(actor->GetBounds());
+  if (problem != self.ScaleProblem && !problem.empty())
+  {
+    vtkErrorMacro("The model cannot be drawn: " << problem << ".");
+  }
+  self.ScaleProblem = problem;
 }
 
 //------------------------------------------------------------------------------

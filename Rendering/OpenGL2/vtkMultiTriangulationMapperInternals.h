@@ -56,6 +56,7 @@ struct vtkMultiTriangulationMapper::Internals
   ConversionType Conversion = Mapped;
   double FullColor = 255.0;
   std::string ForeignArrays; // that were warned of
+  std::string ScaleProblem;  // that was told
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
 
