@@ -313,6 +313,24 @@ TEST_F(VerifyFormats, WholeNumbersThatTheUserCallsValuesMayMix)
   }
 }
 
+TEST_F(VerifyFormats, NamesInAnotherEncodingThanUtf8AreNoFailure)
+{
+  this->WriteFile("latin.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng fen\xEAtre\nf 1 2 3\ng mur\nf 1 3 4\n");
+  for (const char* json : { "", "--json" })
+  {
+    std::vector<std::string> build = { "build", this->Path("latin.obj"), "-o", this->Path("model.bmt") };
+    std::vector<std::string> info = { "info", this->Path("model.bmt") };
+    for (std::vector<std::string>* const call : { &build, &info })
+    {
+      call->insert(call->end(), *json ? 1 : 0, json);
+      const MTRun run = this->Bmt(*call);
+      EXPECT_EQ(run.Exit, 0) << run.Err;
+      EXPECT_NE(run.Out.find("mur"), std::string::npos) << run.Out;
+    }
+  }
+  EXPECT_EQ(this->Verify("latin.obj").Exit, 0);
+}
+
 TEST_F(VerifyFormats, ColorsThatTheModelLacksAreMissed)
 {
   const auto mesh = MakeMesh();
