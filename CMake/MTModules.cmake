@@ -68,3 +68,11 @@ endif ()
 foreach (module IN LISTS mt_modules)
   vtk_module_set_properties(${module} VERSION "${PROJECT_VERSION}" SOVERSION "${MT_SOVERSION}")
 endforeach ()
+
+# What reads bytes from outside counts its branches for the fuzzers. Nothing else does: it would slow down the unit tests,
+# which are built in the same tree.
+if (MT_FUZZ)
+  foreach (module IN ITEMS MTCore MTIOCore MTIO MTIOMesh)
+    vtk_module_compile_options(MultiTriangulation::${module} PRIVATE -fsanitize=fuzzer-no-link)
+  endforeach ()
+endif ()
