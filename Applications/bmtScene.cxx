@@ -23,9 +23,6 @@
 
 #include <dlfcn.h>
 
-//------------------------------------------------------------------------------
-// Options
-
 namespace
 {
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
@@ -86,14 +83,14 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
       "--pixel-error", options.PixelError, "How far the picture of the surface may be from the input's, in pixels")
     ->check(CLI::Range(0.0, 1e9))
     ->capture_default_str();
+  const std::map<std::string, int> metrics{ { "distance", 0 }, { "edges", 1 }, { "normals", 2 } };
+  command.add_option("--metric", options.Metric, "The error: distance (certified), edges (mean length) or normals")
+    ->transform(CLI::CheckedTransformer(metrics));
   command.add_option("--budget", options.Budget, "Triangles drawn at most; 0: no limit")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   command.add_option("--color-by", options.ColorBy, "level, patch, error, or the name of a point or cell array");
 }
-
-//------------------------------------------------------------------------------
-// Scene
 
 bmtScene::bmtScene(const bmtSceneOptions& options)
 {
@@ -104,6 +101,7 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   this->Textures = vtkMTModelTextures::Read(*this->Model->GetSource());
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
+  this->Mapper->SetErrorMetric(options.Metric);
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);

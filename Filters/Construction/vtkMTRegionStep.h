@@ -12,6 +12,7 @@
 
 #include "vtkMTCertifiedMesh.h"
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTNormalDeviation.h"
 
 #include <cstdint>
 #include <map>
@@ -25,10 +26,11 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 {
   vtkMTCertifiedMesh Fragment; ///< points that are shared with other regions come first, with their ids
   std::size_t FloorTriangles = 0;
-  double Error = 0.0;                          ///< certified distance of fragment and input, in steps of the lattice
-  double EdgeLength = 0.0;                     ///< mean, in steps
-  bool HasFullySharedBorder = false;           ///< BMT section 3.2, condition 3, is violated here
-  std::map<std::string, std::int64_t> Blocked; ///< filled when the target was missed
+  double Error = 0.0;                           ///< certified distance of fragment and input, in steps of the lattice
+  vtkMTNormalDeviation::Angles NormalDeviation; ///< certified angles between fragment's and input's normals
+  double EdgeLength = 0.0;                      ///< mean, in steps
+  bool HasFullySharedBorder = false;            ///< BMT section 3.2, condition 3, is violated here
+  std::map<std::string, std::int64_t> Blocked;  ///< filled when the target was missed
 
   struct Context
   {
@@ -46,7 +48,7 @@ private:
   static vtkMTCertifiedMesh Assemble(
     std::vector<vtkMTCertifiedMesh>& patches, const std::vector<vtkMTArrayInfo>& arrays, std::string& error);
   void Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation, vtkMTSimplification& simplification,
-    const std::vector<vtkMTArrayInfo>& arrays);
+    const Context& context);
   void RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations);
 };
 

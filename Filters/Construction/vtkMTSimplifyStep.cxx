@@ -78,7 +78,8 @@ bool vtkMTSimplifyStep::PutFragment(std::uint32_t level, std::size_t region, con
   }
   state.SimplifiedTriangles += step.FloorTriangles;
   state.NodeOfFragment[region] = static_cast<std::uint32_t>(state.Nodes.size());
-  state.Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength });
+  state.Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength,
+    step.NormalDeviation.Largest, step.NormalDeviation.Mean });
   state.Graph.FullySharedBorders += step.HasFullySharedBorder ? 1 : 0;
   for (const auto& [cause, edges] : step.Blocked)
   {

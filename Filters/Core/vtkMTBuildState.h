@@ -26,8 +26,10 @@ public:
   {
     std::uint32_t Level;
     std::uint32_t Region;
-    double Error;      // steps
-    double EdgeLength; // steps
+    double Error;                     // steps
+    double EdgeLength;                // steps
+    double NormalDeviation = 0.0;     // radians
+    double MeanNormalDeviation = 0.0; // radians
   };
 
   struct ArcRecord
