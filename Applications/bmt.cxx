@@ -21,7 +21,8 @@ void DescribeCommands(CLI::App& app, bmtContext& context)
   app.set_version_flag("--version", std::string("bmt ") + vtkMTVersion::GetVersion());
   app.require_subcommand(1);
   app.footer(
-    "Exit code: 0 success, 1 failure or a check that did not pass, 2 wrong usage, 130 interrupted.\n"
+    "Exit code: 0 success, 1 failure or a check that did not pass, 2 wrong usage,\n"
+    "3 not all could be checked (verify), 130 interrupted.\n"
     "Results go to standard output, messages and progress to standard error. Outputs are replaced only when whole.\n"
     "'bmt COMMAND --help' says more.");
   bmtAddGenerate(app, context);

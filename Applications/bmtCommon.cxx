@@ -228,7 +228,7 @@ namespace
 {
 std::string ToText(const bmtJson& value)
 {
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, bmtJson::error_handler_t::replace);
 }
 
 // The entries of a list, one line each.

@@ -47,8 +47,9 @@ public:
 struct bmtExit
 {
   static constexpr int Success = 0;
-  static constexpr int Failure = 1; ///< an error, or a check that did not pass
-  static constexpr int Usage = 2;   ///< options that make no sense
+  static constexpr int Failure = 1;   ///< an error, or a check that did not pass
+  static constexpr int Usage = 2;     ///< options that make no sense
+  static constexpr int Unchecked = 3; ///< nothing wrong was found, but not all could be checked
   static constexpr int Interrupted = 130;
 };
 

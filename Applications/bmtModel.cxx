@@ -5,6 +5,7 @@
 #include "vtkMTFileAccess.h"
 #include "vtkMTFileSource.h"
 #include "vtkMTGraph.h"
+#include "vtkMTLookupTable.h"
 #include "vtkMTMeshWriter.h"
 
 #include "vtkImageData.h"
@@ -60,19 +61,24 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
         { "type", vtkImageScalarTypeNameMacro(array.Type) }, { "components", array.Components },
         { "resampling", resampling[array.Resampling] }, { "role", roles[array.Role] },
         { "taken_for", array.GetMeaning() } });
+    for (const auto& [value, name] : vtkMTLookupTable::GetNames(array))
+    {
+      list.back()["names"][value] = name;
+    }
   }
   return list;
 }
 
-template <class Map>
-bmtJson DescribeMap(const Map& map)
+// Of each measure its largest value, which is the source's, as measures are saturated.
+bmtJson DescribeMeasures(const vtkMTGraph& graph)
 {
-  bmtJson json = bmtJson::object();
-  for (const auto& [name, value] : map)
+  bmtJson list = bmtJson::array();
+  for (const vtkMTMeasure& measure : graph.Measures)
   {
-    json[name] = value;
+    list.push_back(
+      { { "name", measure.Name }, { "largest", measure.Values.empty() ? 0.0 : measure.Values[graph.GetSource()] } });
   }
-  return json;
+  return list;
 }
 
 std::string GetSetting(const vtkMTGraph& graph, const std::string& name)
@@ -110,15 +116,14 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   json["arrays"] = DescribeArrays(graph.Arrays);
   json["partition"] = GetStrategy(graph, "partition");
   json["simplifier"] = GetStrategy(graph, "simplifier");
-  json["settings"] = DescribeMap(graph.Settings);
+  json["settings"] = bmtJson(graph.Settings);
   const double target = std::atof(GetSetting(graph, "floor_triangles").c_str());
-  const double largest = static_cast<double>(conditioning.LargestFloor);
   json["conditioning"] = { { "depth", conditioning.Depth }, { "diameter_ratio", conditioning.DiameterRatio },
     { "fully_shared_borders", conditioning.FullySharedBorders },
-    { "largest_region_over_target", target > 0.0 ? largest / target : 0.0 } };
+    { "largest_region_over_target", target > 0.0 ? static_cast<double>(conditioning.LargestFloor) / target : 0.0 } };
   json["root_triangles"] = graph.GetNumberOfRootTriangles();
-  json["blocked"] = DescribeMap(graph.Blocked);
-  json["input_report"] = DescribeMap(graph.InputReport);
+  json["blocked"] = bmtJson(graph.Blocked);
+  json["input_report"] = bmtJson(graph.InputReport);
   for (const vtkMTBlobInfo& blob : graph.Blobs)
   {
     bmtJson entry = { { "name", blob.Name }, { "type", blob.Type } };
@@ -127,6 +132,7 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   }
   json["lattice_step"] = graph.Lattice.Step;
   json["largest_shift"] = graph.Lattice.MaximumShift;
+  json["measures"] = DescribeMeasures(graph);
   json["finest_error"] = graph.IsEmpty() ? 0.0 : graph.Nodes[graph.GetSink()].Error;
   json["coarsest_error"] = graph.IsEmpty() ? 0.0 : vtkMTCut(graph).GetError();
   return json;

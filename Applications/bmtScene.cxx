@@ -7,6 +7,8 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMTDisplay.h"
+#include "vtkMTDrawableScale.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMath.h"
@@ -20,8 +22,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-
-#include <dlfcn.h>
 
 namespace
 {
@@ -90,6 +90,8 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   command.add_option("--color-by", options.ColorBy, "level, patch, error, or the name of a point or cell array");
+  command.add_option(
+    "--texture", options.Texture, "An image (PNG, JPEG) for the whole mesh, by its texture coordinates");
 }
 
 bmtScene::bmtScene(const bmtSceneOptions& options)
@@ -98,7 +100,17 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   {
     throw bmtError(options.File + ": its coarsest patches cannot be read; 'bmt verify' says more");
   }
+  double bounds[6];
+  this->Model->GetModelBounds(bounds);
+  if (const std::string problem = vtkMTDrawableScale::FindProblem(bounds); !problem.empty())
+  {
+    throw bmtError(options.File + " cannot be drawn: " + problem);
+  }
   this->Textures = vtkMTModelTextures::Read(*this->Model->GetSource());
+  if (std::string error; !options.Texture.empty() && !this->Textures.ReplaceByFile(options.Texture, error))
+  {
+    throw bmtError(error);
+  }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
   this->Mapper->SetErrorMetric(options.Metric);
@@ -136,31 +148,9 @@ void bmtScene::SetCamera(const bmtSceneOptions& options)
 
 void bmtScene::RequireDisplay() const
 {
-  if (!this->Window->IsA("vtkXOpenGLRenderWindow"))
+  if (const std::string problem = vtkMTDisplay::FindProblem(this->Window); !problem.empty())
   {
-    return; // VTK was built for something else than X
-  }
-  const char* name = std::getenv("DISPLAY");
-  bool isThere = name && *name;
-  // VTK aborts when the display cannot be opened. libX11 is loaded with VTK; it is asked by name, so that nothing of X
-  // is needed for building.
-  if (void* library = isThere ? dlopen("libX11.so.6", RTLD_LAZY) : nullptr)
-  {
-    const auto open = reinterpret_cast<void* (*)(const char*)>(dlsym(library, "XOpenDisplay"));
-    const auto close = reinterpret_cast<int (*)(void*)>(dlsym(library, "XCloseDisplay"));
-    if (void* display = open && close ? open(name) : nullptr)
-    {
-      close(display);
-    }
-    else
-    {
-      isThere = false;
-    }
-  }
-  if (!isThere)
-  {
-    throw bmtError("no display: DISPLAY is '" + std::string(name ? name : "") +
-      "' and cannot be opened; without a screen run it as xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt ...");
+    throw bmtError(problem + "; without a screen run it as xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt ...");
   }
 }
 

@@ -31,6 +31,7 @@ struct bmtSceneOptions
   int Metric = vtkMultiTriangulationMapper::DISTANCE;
   std::int64_t Budget = 0;
   std::string ColorBy;
+  std::string Texture;
 };
 
 void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options);

@@ -18,8 +18,6 @@
 
 namespace
 {
-constexpr int Unchecked = 3; // an exit code beside bmtExit's: nothing wrong was found, but the input was not checked
-
 struct Options
 {
   std::string File;
@@ -181,7 +179,7 @@ int Report(const Options& options, const bmtContext& context, const bmtJson& res
         check.value("message", "") + (isOpen ? "" : "; do not trust this file, build it anew"));
     }
   }
-  return result["ok"].is_null() ? Unchecked : (result["ok"] ? bmtExit::Success : bmtExit::Failure);
+  return result["ok"].is_null() ? bmtExit::Unchecked : (result["ok"] ? bmtExit::Success : bmtExit::Failure);
 }
 }
 

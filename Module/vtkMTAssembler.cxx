@@ -4,11 +4,16 @@
 #include "vtkMTIdTable.h"
 
 #include <cstring>
+#include <unordered_map>
 #include <utility>
 
 namespace
 {
 constexpr std::uint32_t None = vtkMTIdTable::None;
+
+// A point of more wedges finds them by a hash of their values: a corner where hundreds of hard edges meet has a wedge
+// between any two of them.
+constexpr unsigned char MostWedgesInList = 16;
 
 //------------------------------------------------------------------------------
 void AppendTuple(vtkMTColumn& to, const vtkMTColumn& from, std::size_t index, std::size_t size)
@@ -29,7 +34,9 @@ struct vtkMTAssembler::Internals
   vtkMTIdTable Table;
   std::vector<std::uint32_t> FirstWedge; // per point of the mesh
   std::vector<std::uint32_t> NextWedge;  // per wedge of the mesh
-  std::vector<std::uint32_t> WedgeMap;   // per wedge of the patch
+  std::vector<unsigned char> Wedges;     // per point of the mesh; MostWedgesInList and one stand for more
+  std::unordered_multimap<std::uint64_t, std::uint32_t> Hashed; // wedges of points of more than are looked through
+  std::vector<std::uint32_t> WedgeMap;                          // per wedge of the patch
 
   bool AreColumnsRight(const std::vector<vtkMTColumn>& columns, const std::vector<std::size_t>& sizes,
     std::vector<unsigned char>& has, std::size_t tuples) const
@@ -91,6 +98,61 @@ struct vtkMTAssembler::Internals
       }
     }
     return true;
+  }
+
+  // FNV-1a.
+  std::uint64_t Hash(std::uint32_t point, const vtkMTPatch& of, std::uint32_t wedge) const
+  {
+    std::uint64_t hash = 0xcbf29ce484222325u ^ point;
+    for (std::size_t i = 0; i < this->PointSizes.size(); ++i)
+    {
+      const std::size_t size = this->PointSizes[i];
+      for (std::size_t at = 0; this->HasPointColumn[i] && at < size; ++at)
+      {
+        const auto byte = static_cast<unsigned char>(of.PointColumns[i][wedge * size + at]);
+        hash = (hash ^ byte) * 0x100000001b3u;
+      }
+    }
+    return hash;
+  }
+
+  bool IsHashed(std::uint32_t point) const { return this->Wedges[point] > MostWedgesInList; }
+
+  // The wedge of the point that has the values of the patch's.
+  std::uint32_t Find(const vtkMTPatch& mesh, std::uint32_t point, const vtkMTPatch& patch, std::uint32_t wedge) const
+  {
+    if (this->IsHashed(point))
+    {
+      const auto range = this->Hashed.equal_range(this->Hash(point, patch, wedge));
+      for (auto i = range.first; i != range.second; ++i)
+      {
+        if (mesh.WedgePoints[i->second] == point && this->AreWedgesEqual(mesh, i->second, patch, wedge))
+        {
+          return i->second;
+        }
+      }
+      return None;
+    }
+    std::uint32_t known = this->FirstWedge[point];
+    while (known != None && !this->AreWedgesEqual(mesh, known, patch, wedge))
+    {
+      known = this->NextWedge[known];
+    }
+    return known;
+  }
+
+  // After its values were appended to the mesh.
+  void Link(const vtkMTPatch& mesh, std::uint32_t point, std::uint32_t wedge)
+  {
+    const bool wasHashed = this->IsHashed(point);
+    this->NextWedge.push_back(this->FirstWedge[point]);
+    this->FirstWedge[point] = wedge;
+    this->Wedges[point] += wasHashed ? 0 : 1;
+    const std::uint32_t last = wasHashed ? this->NextWedge[wedge] : None;
+    for (std::uint32_t w = this->IsHashed(point) ? wedge : last; w != last; w = this->NextWedge[w])
+    {
+      this->Hashed.emplace(this->Hash(point, mesh, w), w);
+    }
   }
 };
 
@@ -166,6 +228,7 @@ bool vtkMTAssembler::AddPoints(const vtkMTPatch& patch)
     this->Mesh.Points.push_back(patch.Points[i]);
     this->Mesh.Ids.push_back(id);
     in.FirstWedge.push_back(None);
+    in.Wedges.push_back(0);
   }
   return true;
 }
@@ -181,17 +244,11 @@ bool vtkMTAssembler::AddWedgesAndTriangles(const vtkMTPatch& patch)
     const std::uint32_t inPatch = patch.GetPointOfWedge(w);
     const std::uint32_t point = this->PointMap[inPatch];
     const bool shared = inPatch < patch.Ids.size() && patch.Ids[inPatch] != NoId;
-    std::uint32_t known = shared ? in.FirstWedge[point] : None;
-    while (known != None && !in.AreWedgesEqual(this->Mesh, known, patch, w))
-    {
-      known = in.NextWedge[known];
-    }
+    std::uint32_t known = shared ? in.Find(this->Mesh, point, patch, w) : None;
     if (known == None)
     {
       known = static_cast<std::uint32_t>(this->Mesh.WedgePoints.size());
       this->Mesh.WedgePoints.push_back(point);
-      in.NextWedge.push_back(in.FirstWedge[point]);
-      in.FirstWedge[point] = known;
       for (std::size_t i = 0; i < in.PointSizes.size(); ++i)
       {
         if (in.HasPointColumn[i])
@@ -199,6 +256,7 @@ bool vtkMTAssembler::AddWedgesAndTriangles(const vtkMTPatch& patch)
           AppendTuple(this->Mesh.PointColumns[i], patch.PointColumns[i], w, in.PointSizes[i]);
         }
       }
+      in.Link(this->Mesh, point, known);
     }
     in.WedgeMap[w] = known;
   }
@@ -227,6 +285,8 @@ vtkMTPatch vtkMTAssembler::TakeMesh()
   this->Implementation->Table = vtkMTIdTable();
   this->Implementation->FirstWedge.clear();
   this->Implementation->NextWedge.clear();
+  this->Implementation->Wedges.clear();
+  this->Implementation->Hashed.clear();
   this->Implementation->First = true;
   return mesh;
 }

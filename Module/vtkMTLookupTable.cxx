@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTLookupTable.h"
 
+#include "vtkMTArrayInfo.h"
+
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkStdString.h"
@@ -176,4 +178,20 @@ vtkSmartPointer<vtkLookupTable> vtkMTLookupTable::Decode(const std::string& byte
   table->SetIndexedLookup(isIndexed ? 1 : 0);
   table->BuildSpecialColors();
   return table;
+}
+
+vtkMTLookupTable::NameList vtkMTLookupTable::GetNames(vtkScalarsToColors* table)
+{
+  NameList names;
+  for (vtkIdType i = 0; table && i < table->GetNumberOfAnnotatedValues(); ++i)
+  {
+    names.emplace_back(table->GetAnnotatedValue(i).ToString(), table->GetAnnotation(i));
+  }
+  return names;
+}
+
+vtkMTLookupTable::NameList vtkMTLookupTable::GetNames(const vtkMTArrayInfo& array)
+{
+  const auto bytes = array.Properties.find("lookup_table");
+  return bytes == array.Properties.end() ? NameList() : GetNames(Decode(bytes->second));
 }

@@ -15,14 +15,24 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 class vtkLookupTable;
+class vtkScalarsToColors;
+struct vtkMTArrayInfo;
 
 struct VTKMTCORE_EXPORT vtkMTLookupTable
 {
   static std::string Encode(vtkLookupTable* table);
   /// Null when the bytes are not such a table; nothing is allocated that they do not justify.
   static vtkSmartPointer<vtkLookupTable> Decode(const std::string& bytes);
+
+  /// The annotated values as text, and their names, in order of value; none without a table.
+  using NameList = std::vector<std::pair<std::string, std::string>>;
+  static NameList GetNames(vtkScalarsToColors* table);
+  /// Those of the table that travels with the array.
+  static NameList GetNames(const vtkMTArrayInfo& array);
 };
 
 #endif

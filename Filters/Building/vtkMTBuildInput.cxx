@@ -76,6 +76,12 @@ bool vtkMTBuildInput::CheckGoesOn(vtkMTBuildError& error) const
   return this->GoesOn() || error.Fail(vtkMultiTriangulationFileBuilder::AbortError, "aborted");
 }
 
+bool vtkMTBuildInput::AreSampled(const std::vector<std::string>& paths)
+{
+  return std::all_of(paths.begin(), paths.end(),
+    [](const std::string& path) { return vtkMTTerrain::CanRead(path) || vtkMTVolumeReader::CanRead(path); });
+}
+
 std::vector<std::string> vtkMTBuildInput::FindFiles(const std::vector<std::string>& paths)
 {
   std::vector<std::string> files = paths;

@@ -63,6 +63,9 @@ public:
   /// Those of the paths, and the files that headers of volumes among them name.
   static std::vector<std::string> FindFiles(const std::vector<std::string>& paths);
 
+  /// Whether all of them are terrain or volumes: surfaces that were measured or calculated, and not designed.
+  static bool AreSampled(const std::vector<std::string>& paths);
+
   /// store and memory, in bytes, are for what is sorted; the store must outlive the stream. Null on failure.
   std::unique_ptr<vtkMTTriangleStream> Open(vtkMTSpoolStore& store, std::uint64_t memory, vtkMTBuildError& error);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationFileBuilder.h"
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkMultiTriangulationFileBuilderInternals.h"
 
 #include "vtkMTBuildError.h"
@@ -51,6 +52,31 @@ bool HasFeatureAngle(const std::map<std::string, std::string>& settings, double 
   }
   return wanted < 0.0 ? used->second == automatic->second : std::abs(std::stod(used->second) - wanted) < 1e-4 * wanted;
 }
+
+// Terrain and isosurfaces are not designed, whatever their angles look like: a cliff is no crease.
+double GetAngle(double wanted, const std::vector<std::string>& paths)
+{
+  return wanted < 0.0 && vtkMTBuildInput::AreSampled(paths) ? 180.0 : wanted;
+}
+
+// The builder has another feature angle while this is there.
+class FeatureAngleScope
+{
+public:
+  FeatureAngleScope(vtkMultiTriangulationBuilder* builder, double angle)
+    : Builder(builder)
+    , Before(builder->GetFeatureAngle())
+  {
+    this->Builder->SetFeatureAngle(angle);
+  }
+  ~FeatureAngleScope() { this->Builder->SetFeatureAngle(this->Before); }
+  FeatureAngleScope(const FeatureAngleScope&) = delete;
+  void operator=(const FeatureAngleScope&) = delete;
+
+private:
+  vtkMultiTriangulationBuilder* const Builder;
+  const double Before;
+};
 
 // CPU seconds of all threads, and seconds by the clock.
 class Stopwatch
@@ -132,6 +158,7 @@ vtkTypeBool vtkMultiTriangulationFileBuilder::ProcessRequest(
 
 int vtkMultiTriangulationFileBuilder::BuildFile()
 {
+  const vtkMTLongWork work;
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->HasCheckpoint = false;
@@ -267,13 +294,15 @@ bool vtkMultiTriangulationFileBuilder::IsFinished() const
   const auto& settings = model.GetGraph().Settings;
   const auto found = settings.find("build");
   return found != settings.end() && found->second == this->Implementation->Identity &&
-    HasFeatureAngle(settings, this->GetFeatureAngle());
+    HasFeatureAngle(settings, GetAngle(this->GetFeatureAngle(), this->Implementation->Input.Paths));
 }
 
 bool vtkMultiTriangulationFileBuilder::BuildFromFiles(
   const vtkMTInputFiles& files, vtkMTBuildWorkspace& workspace, vtkMTBuildError& error)
 {
   const Stopwatch watch;
+  const FeatureAngleScope angle(
+    this->Implementation->Builder, GetAngle(this->GetFeatureAngle(), this->Implementation->Input.Paths));
   const std::unique_ptr<vtkMTTriangleStream> stream = this->OpenInput(files, workspace, error);
   if (!stream || !this->ChooseLattice(*stream, error))
   {

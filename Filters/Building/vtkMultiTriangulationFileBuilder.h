@@ -162,7 +162,8 @@ public:
 
   ///@{
   /// Along which edges made normals are split, in degrees; negative, the default: chosen by the mesh (see
-  /// vtkMultiTriangulationBuilder). 180: none. NaN is refused with an error.
+  /// vtkMultiTriangulationBuilder), and none where all inputs are terrain or volumes. 180: none. NaN is refused with an
+  /// error.
   void SetFeatureAngle(double degrees);
   double GetFeatureAngle() const;
   ///@}

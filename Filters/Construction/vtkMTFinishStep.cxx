@@ -10,6 +10,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -19,6 +20,16 @@ std::string ToText(double value)
   text.imbue(std::locale::classic());
   text << value;
   return text.str();
+}
+
+// What the user chose that arrays are taken for; "a,b".
+void PutNames(const std::vector<std::string>& names, std::map<std::string, std::string>& settings, const char* key)
+{
+  for (const std::string& name : names)
+  {
+    std::string& list = settings[key];
+    list += (list.empty() ? "" : ",") + name;
+  }
 }
 }
 
@@ -59,11 +70,14 @@ bool vtkMTFinishStep::FinishGraph()
   {
     settings["far_outliers"] = "kept";
   }
+  PutNames(this->Options.LabelArrays, settings, "labels");
+  PutNames(this->Options.ValueArrays, settings, "values");
   if (this->State.FeatureAngle >= 0.0)
   {
     // What the mesh would choose is there whoever chose, so that the same normals give the same file.
     settings["feature_angle"] = ToText(this->State.FeatureAngle);
     settings["feature_angle_auto"] = ToText(this->State.AutomaticFeatureAngle);
+    settings["dihedral_angles"] = this->State.DihedralAngles;
   }
   settings["reduction"] = ToText(this->Options.Reduction); // of a level: a floor's triangles over its fragment's
   settings["floor_triangles"] = std::to_string(std::llround(this->Options.GetFloorTarget()));

@@ -135,6 +135,7 @@ bool vtkMTInputFragmentStep::Finish()
       const double automatic = this->Angles.ChooseFeatureAngle();
       state.FeatureAngle = this->Settings.FeatureAngle < 0.0 ? automatic : this->Settings.FeatureAngle;
       state.AutomaticFeatureAngle = automatic;
+      state.DihedralAngles = this->Angles.Describe();
     }
     if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation, state.FeatureAngle) ||
       !this->SharedIds->Solve())

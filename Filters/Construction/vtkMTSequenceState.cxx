@@ -16,6 +16,7 @@ void vtkMTSequenceState::Save(std::vector<unsigned char>& bytes) const
   writer.Put(this->SimplifiedTriangles);
   writer.Put(this->FeatureAngle);
   writer.Put(this->AutomaticFeatureAngle);
+  writer.PutText(this->DihedralAngles);
   std::vector<unsigned char> records;
   if (this->Stage == HasPatches)
   {
@@ -39,6 +40,7 @@ bool vtkMTSequenceState::Load(vtkMTSpoolStore& store, const std::vector<unsigned
   this->SimplifiedTriangles = reader.Take<std::uint64_t>();
   this->FeatureAngle = reader.Take<double>();
   this->AutomaticFeatureAngle = reader.Take<double>();
+  this->DihedralAngles = reader.TakeText();
   std::vector<unsigned char> records;
   reader.TakeList(records);
   if (!reader.IsSound() || !reader.IsAtEnd() || this->LevelElements.empty())

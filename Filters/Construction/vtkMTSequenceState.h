@@ -43,6 +43,7 @@ public:
   double FeatureAngle = -1.0;
   double AutomaticFeatureAngle = -1.0;
   ///@}
+  std::string DihedralAngles; ///< the figures that it chooses by
 
   vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
   vtkMTBarycentreSpool Barycentres; ///< of M_Level, in the order of the fragments

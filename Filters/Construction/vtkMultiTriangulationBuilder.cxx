@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationBuilder.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkMTBuildProgress.h"
 #include "vtkMTCheckpoint.h"
 #include "vtkMTCompatibility.h"
@@ -163,6 +164,7 @@ void vtkMultiTriangulationBuilder::SetSpoolStore(std::shared_ptr<vtkMTSpoolStore
 
 bool vtkMultiTriangulationBuilder::Build(vtkMTTriangleStream& input, vtkMTPatchSink& output)
 {
+  const vtkMTLongWork work;
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->Aborted = false;

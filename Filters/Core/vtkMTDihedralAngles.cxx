@@ -7,29 +7,39 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
-#include <vector>
+#include <cstdio>
 
 using namespace vtkMTVector;
 
 namespace
 {
-Vector GetNormal(const vtkMTPatch& mesh, const vtkMTTriangle& p)
+constexpr double NoAngle = -1.0;
+
+Vector GetSide(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
 {
-  std::array<Vector, 2> sides;
-  for (std::size_t s = 0; s < 2; ++s)
+  Vector side;
+  for (std::size_t i = 0; i < 3; ++i)
   {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      sides[s][i] = static_cast<double>(mesh.Points[p[s + 1]][i]) - static_cast<double>(mesh.Points[p[0]][i]);
-    }
+    side[i] = static_cast<double>(mesh.Points[to][i]) - static_cast<double>(mesh.Points[from][i]);
   }
-  return Cross(sides[0], sides[1]);
+  return side;
+}
+
+double Share(std::uint64_t part, std::uint64_t whole)
+{
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+double GetProduct(const vtkMTDihedralAngles::Sum& sum)
+{
+  return Share(sum.Flat, sum.Edges) * Share(sum.Sharp, sum.Edges);
 }
 }
 
-void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh)
+// [half-edges], NoAngle where there is none; both sides of an edge have its angle.
+std::vector<double> vtkMTDihedralAngles::GetAngles(const vtkMTPatch& mesh, std::vector<std::uint32_t>& opposites)
 {
   std::vector<std::uint32_t> corners;
   std::vector<Vector> normals;
@@ -39,12 +49,13 @@ void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh)
   {
     const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
     corners.insert(corners.end(), p.begin(), p.end());
-    normals.push_back(GetNormal(mesh, p));
+    normals.push_back(Cross(GetSide(mesh, p[0], p[1]), GetSide(mesh, p[0], p[2])));
   }
-  const std::vector<std::uint32_t> opposites = vtkMTHalfedgePairs::Find(corners);
+  opposites = vtkMTHalfedgePairs::Find(corners);
+  std::vector<double> angles(corners.size(), NoAngle);
   for (std::uint32_t h = 0; h < opposites.size(); ++h)
   {
-    if (opposites[h] <= h || opposites[h] == ~std::uint32_t(0))
+    if (opposites[h] == vtkMTHalfedgePairs::None || opposites[h] < h)
     {
       continue;
     }
@@ -52,30 +63,73 @@ void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh)
     const Vector& b = normals[opposites[h] / 3];
     if (Norm(a) > 0.0 && Norm(b) > 0.0)
     {
-      const double angle = vtkMath::DegreesFromRadians(std::atan2(Norm(Cross(a, b)), Dot(a, b)));
-      ++this->Edges[std::min(static_cast<std::size_t>(angle), this->Edges.size() - 1)];
+      angles[h] = vtkMath::DegreesFromRadians(std::atan2(Norm(Cross(a, b)), Dot(a, b)));
+      angles[opposites[h]] = angles[h];
     }
+  }
+  return angles;
+}
+
+void vtkMTDihedralAngles::AddEdge(double angle, bool isBetweenFlat, std::uint64_t weight, Sum& sum)
+{
+  sum.Edges += weight;
+  sum.Flat += angle < LargestFlat ? weight : 0;
+  sum.Hard += angle >= LeastHard ? weight : 0;
+  sum.Sharp += angle >= LeastSharp ? weight : 0;
+  sum.Creases += angle >= LeastHard && isBetweenFlat ? weight : 0;
+}
+
+void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh)
+{
+  std::vector<std::uint32_t> opposites;
+  const std::vector<double> angles = GetAngles(mesh, opposites);
+  const auto isFlat = [&angles](std::uint32_t h) { return angles[h] != NoAngle && angles[h] < LargestFlat; };
+  const auto isBesideFlat = [&](std::uint32_t h)
+  { return isFlat(vtkMTHalfedgePairs::Next(h)) || isFlat(vtkMTHalfedgePairs::Previous(h)); };
+  for (std::uint32_t h = 0; h < angles.size(); ++h)
+  {
+    if (angles[h] == NoAngle || opposites[h] < h)
+    {
+      continue;
+    }
+    const bool isBetweenFlat = isBesideFlat(h) && isBesideFlat(opposites[h]);
+    const vtkMTTriangle p = mesh.GetPointsOfTriangle(h / 3);
+    const double length = Norm(GetSide(mesh, p[h % 3], p[(h + 1) % 3]));
+    AddEdge(angles[h], isBetweenFlat, 1, this->Numbers);
+    AddEdge(angles[h], isBetweenFlat, static_cast<std::uint64_t>(std::llround(length)), this->Lengths);
   }
 }
 
 void vtkMTDihedralAngles::Add(const vtkMTDihedralAngles& other)
 {
-  for (std::size_t i = 0; i < this->Edges.size(); ++i)
+  const auto add = [](Sum& to, const Sum& from)
   {
-    this->Edges[i] += other.Edges[i];
-  }
-}
-
-std::uint64_t vtkMTDihedralAngles::Count(std::size_t from, std::size_t to) const
-{
-  const auto begin = this->Edges.begin();
-  return std::accumulate(
-    begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(to), std::uint64_t(0));
+    to.Edges += from.Edges;
+    to.Flat += from.Flat;
+    to.Hard += from.Hard;
+    to.Sharp += from.Sharp;
+    to.Creases += from.Creases;
+  };
+  add(this->Numbers, other.Numbers);
+  add(this->Lengths, other.Lengths);
 }
 
 bool vtkMTDihedralAngles::IsCad() const
 {
-  const std::uint64_t hard = this->Count(LeastHardAngle, this->Edges.size());
-  return hard > 0 && 50 * hard >= this->Count(0, this->Edges.size()) &&
-    hard > this->Count(LeastHardAngle / 2, LeastHardAngle);
+  const Sum& n = this->Numbers;
+  const bool hasCreases = n.Creases > 0 && 2 * n.Creases >= n.Hard && 10000 * n.Creases >= n.Edges;
+  const double product = std::max(GetProduct(n), GetProduct(this->Lengths));
+  const bool isFlatAndSharp = product >= (20 * n.Creases >= n.Hard ? LeastProduct : LeastProductWithoutCreases);
+  return hasCreases || isFlatAndSharp || (n.Edges > 0 && 2 * n.Sharp >= n.Edges);
+}
+
+std::string vtkMTDihedralAngles::Describe() const
+{
+  const Sum& n = this->Numbers;
+  const Sum& l = this->Lengths;
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(), "flat %.2f sharp %.2f hard %.2f creases %.2f by length flat %.2f sharp %.2f",
+    100.0 * Share(n.Flat, n.Edges), 100.0 * Share(n.Sharp, n.Edges), 100.0 * Share(n.Hard, n.Edges),
+    100.0 * Share(n.Creases, n.Edges), 100.0 * Share(l.Flat, l.Edges), 100.0 * Share(l.Sharp, l.Edges));
+  return text.data();
 }

@@ -24,7 +24,7 @@ std::vector<std::uint32_t> MakeNodes(const std::vector<vtkMTBuildState::NodeReco
   graph.Nodes[0].Level = (records.empty() ? 0 : records[order[0]].Level) + 1;
   const double step = graph.Lattice.Step;
   vtkMTMeasure largest{ vtkMTMeasure::NormalDeviation, std::vector<double>(graph.Nodes.size(), 0.0) };
-  vtkMTMeasure mean{ "mean normal deviation", largest.Values };
+  vtkMTMeasure mean{ vtkMTMeasure::MeanNormalDeviation, largest.Values };
   for (std::uint32_t i = 0; i < order.size(); ++i)
   {
     const vtkMTBuildState::NodeRecord& record = records[order[i]];

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 namespace
 {
@@ -111,4 +113,24 @@ vtkMTModelTextures vtkMTModelTextures::Read(const vtkMTPatchSource& source)
     result.Textures.push_back(texture);
   }
   return result;
+}
+
+bool vtkMTModelTextures::ReplaceByFile(const std::string& path, std::string& error)
+{
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<unsigned char> bytes{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  const bool isJpeg = bytes.size() > 1 && bytes[0] == 0xff && bytes[1] == 0xd8;
+  std::string problem = file ? "" : "cannot be read";
+  Texture texture{ "fileTexture", -1, -1, nullptr };
+  if (problem.empty())
+  {
+    texture.Image = ReadImage(isJpeg ? "image/jpeg" : "image/png", bytes, problem);
+  }
+  error = problem.empty() ? "" : path + ": " + problem;
+  if (texture.Image)
+  {
+    this->Textures = { texture };
+    this->Problems.clear();
+  }
+  return texture.Image != nullptr;
 }

@@ -36,6 +36,10 @@ struct VTKMTFILTERS_EXPORT vtkMTModelTextures
   std::vector<std::string> Problems;
 
   static vtkMTModelTextures Read(const vtkMTPatchSource& source);
+
+  /// In their place, an image file (PNG or JPEG) that the mesh does not refer to, on all cells. False with the reason,
+  /// which names the file.
+  bool ReplaceByFile(const std::string& path, std::string& error);
 };
 
 #endif

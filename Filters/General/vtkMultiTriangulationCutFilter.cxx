@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationCutFilter.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkMTArraySelection.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTCut.h"
@@ -401,6 +402,7 @@ void vtkMultiTriangulationCutFilter::Describe(const Model& model, const vtkMTCut
 int vtkMultiTriangulationCutFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const vtkMTLongWork work;
   vtkMultiTriangulation* input = vtkMultiTriangulation::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();

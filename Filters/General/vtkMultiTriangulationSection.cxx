@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationSection.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkMTArraySelection.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTCutMesh.h"
@@ -162,6 +163,7 @@ int vtkMultiTriangulationSection::Fail(unsigned long code, const std::string& me
 int vtkMultiTriangulationSection::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const vtkMTLongWork work;
   vtkMultiTriangulation* input = vtkMultiTriangulation::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();

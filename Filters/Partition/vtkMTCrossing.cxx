@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTCrossing.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -9,6 +10,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMTBarycentreSample.h"
 #include "vtkMTCellBarycentres.h"
+#include "vtkMTCompatibility.h"
 #include "vtkMTSeedPartition.h"
 #include "vtkMTSetMacros.h"
 #include "vtkMTSliverMerge.h"
@@ -161,7 +163,7 @@ int vtkMTCrossing::Cross(vtkPolyData* output)
   patches->SetNumberOfTuples(cells);
   this->NumberOfPatches = Number(first, second, patches->GetPointer(0));
   this->UpdateProgress(0.6);
-  if (this->MergeSlivers && this->NumberOfPatches > 0 && !this->GetAbortExecute())
+  if (this->MergeSlivers && this->NumberOfPatches > 0 && !vtkMTIsAborted(this))
   {
     const double mean = static_cast<double>(cells) / static_cast<double>(this->NumberOfPatches);
     const auto minimum = static_cast<std::size_t>(std::ceil(this->SliverShare * mean));
@@ -169,7 +171,7 @@ int vtkMTCrossing::Cross(vtkPolyData* output)
       static_cast<vtkIdType>(MergeInAllRegions(first, second, vtkMTCellBarycentres::Make(output), minimum));
     this->NumberOfPatches = Number(first, second, patches->GetPointer(0));
   }
-  if (this->GetAbortExecute())
+  if (vtkMTIsAborted(this))
   {
     output->Initialize();
     return 1;
@@ -181,6 +183,7 @@ int vtkMTCrossing::Cross(vtkPolyData* output)
 
 int vtkMTCrossing::RequestData(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const vtkMTLongWork work;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfPatches = 0;
   this->NumberOfSlivers = 0;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPartitionAlgorithm.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMTCellBarycentres.h"
+#include "vtkMTCompatibility.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkPolyData.h"
 
@@ -45,7 +47,7 @@ std::unique_ptr<vtkMTPartition> vtkMTPartitionAlgorithm::Partition(
     [this, progress, progressAfter](double share)
     {
       this->UpdateProgress(progress + (progressAfter - progress) * share);
-      return !this->GetAbortExecute();
+      return !vtkMTIsAborted(this);
     });
 }
 
@@ -63,6 +65,7 @@ bool vtkMTPartitionAlgorithm::CountAndAddRegions(vtkPolyData* output)
 int vtkMTPartitionAlgorithm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const vtkMTLongWork work;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->Reset();
   this->SetErrorCode(vtkErrorCode::NoError);

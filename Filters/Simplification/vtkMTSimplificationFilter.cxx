@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTSimplificationFilter.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -12,6 +13,7 @@
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMTCompatibility.h"
 #include "vtkMTLattice.h"
 #include "vtkMTSetMacros.h"
 #include "vtkNew.h"
@@ -122,6 +124,7 @@ void vtkMTSimplificationFilter::PrintSelf(ostream& os, vtkIndent indent)
 int vtkMTSimplificationFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const vtkMTLongWork work;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->NumberOfBlockedEdges = 0;
@@ -168,7 +171,7 @@ int vtkMTSimplificationFilter::RequestData(
   }
   this->NumberOfRemovedComponents = static_cast<vtkIdType>(result.RemovedComponents);
   this->UpdateProgress(0.8);
-  if (!this->GetAbortExecute())
+  if (!vtkMTIsAborted(this))
   {
     MakeOutput(mesh, lattice, result, output);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTStreamOutput.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkMTCompatibility.h"
@@ -93,6 +94,7 @@ private:
 bool vtkMTStreamOutput::Fill(
   vtkMTTriangleStream& stream, vtkAlgorithm* algorithm, vtkPolyData* output, std::string& error)
 {
+  const vtkMTLongWork work;
   output->Initialize();
   try
   {

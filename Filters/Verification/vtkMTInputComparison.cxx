@@ -8,31 +8,17 @@
 #include "vtkMTLabelCheck.h"
 #include "vtkMTLatticeKeys.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTVector.h"
 #include "vtkMTVerifyPolygons.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+using namespace vtkMTVector;
+
 namespace
 {
-using Vector = vtkMTRealPoint;
-
-Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double Length(const Vector& a)
 {
   return std::hypot(a[0], a[1], a[2]);
@@ -151,12 +137,19 @@ vtkMTInputComparison::Figures vtkMTInputComparison::Measure(const vtkMTSampledSu
     const double change = Length(bc) + Length(Cross(c, a)) + Length(Cross(a, b));
     figures.VolumeAllowance += (s * change + s * s * (Length(a) + Length(b) + Length(c)) + s * s * s) / 6.0;
   }
-  const double unit = 1.0 / this->Frame.Scale;
-  figures.Area *= unit * unit;
-  figures.AreaAllowance = figures.AreaAllowance * unit * unit + 1e-9 * figures.Area + this->OpenArea;
-  figures.Volume *= unit * unit * unit;
-  figures.VolumeAllowance = (figures.VolumeAllowance * unit + 1e-9 * figures.Area) * unit * unit + this->OpenVolume;
+  const double scale = this->Frame.Scale;
+  figures.AreaAllowance += 1e-9 * figures.Area + this->OpenArea * scale * scale;
+  figures.VolumeAllowance += 1e-9 * figures.Area + this->OpenVolume * scale * scale * scale;
   return figures;
+}
+
+double vtkMTInputComparison::ToModel(double figure, int dimensions) const
+{
+  for (int i = 0; i < dimensions; ++i)
+  {
+    figure = this->Frame.ToModel(figure);
+  }
+  return figure;
 }
 
 vtkMTVerificationCheck vtkMTInputComparison::TestTriangles() const
@@ -215,8 +208,8 @@ vtkMTVerificationCheck vtkMTInputComparison::TestArea() const
   check.Worst = allowed > 0.0 ? apart / allowed : 0.0;
   if (!(apart <= allowed))
   {
-    check.Fail(Write("the input's area is ", this->InputFigures.Area, ", the model's ", this->ModelFigures.Area,
-      "; allowed are ", allowed));
+    check.Fail(Write("the input's area is ", this->ToModel(this->InputFigures.Area, 2), ", the model's ",
+      this->ToModel(this->ModelFigures.Area, 2), "; allowed are ", this->ToModel(allowed, 2)));
   }
   return check;
 }
@@ -235,8 +228,9 @@ vtkMTVerificationCheck vtkMTInputComparison::TestVolume() const
   if (!(apart <= allowed))
   {
     const bool isTurned = std::abs(this->InputFigures.Volume + this->ModelFigures.Volume) <= allowed;
-    check.Fail(Write("the input's signed volume is ", this->InputFigures.Volume, ", the model's ",
-      this->ModelFigures.Volume, "; allowed are ", allowed, isTurned ? ": the model is turned inside out" : ""));
+    check.Fail(Write("the input's signed volume is ", this->ToModel(this->InputFigures.Volume, 3), ", the model's ",
+      this->ToModel(this->ModelFigures.Volume, 3), "; allowed are ", this->ToModel(allowed, 3),
+      isTurned ? ": the model is turned inside out" : ""));
   }
   return check;
 }

@@ -46,7 +46,7 @@ public:
     std::array<int, 3> Corners;
   };
 
-  /// What was compared, and with which allowance; model units.
+  /// What was compared, and with which allowance; in the frame's units, in which no volume is beyond double precision.
   struct Figures
   {
     std::int64_t Triangles = 0;
@@ -67,7 +67,8 @@ public:
   /// The input's triangles, for the sampling of errors; after Test.
   vtkMTSampledSurface TakeSurface() { return std::move(this->Original); }
   const Figures& GetInputFigures() const { return this->InputFigures; }
-  const Figures& GetModelFigures() const { return this->ModelFigures; }
+  /// A length, area or volume of the figures in model units; infinite where it is beyond double precision.
+  double ToModel(double figure, int dimensions) const;
   /// How far coordinates may be apart, model units.
   double GetAllowance() const { return this->Allowance; }
 

@@ -151,8 +151,8 @@ bool vtkMTVerification::Compare(vtkPolyData* mesh, double rounding, vtkMTSampled
     return false;
   }
   this->Checked.CoordinateAllowance = comparison.GetAllowance();
-  this->Checked.AreaAllowance = comparison.GetInputFigures().AreaAllowance;
-  this->Checked.VolumeAllowance = comparison.GetInputFigures().VolumeAllowance;
+  this->Checked.AreaAllowance = comparison.ToModel(comparison.GetInputFigures().AreaAllowance, 2);
+  this->Checked.VolumeAllowance = comparison.ToModel(comparison.GetInputFigures().VolumeAllowance, 3);
   return true;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTVerifyPolygons.h"
 
+#include "vtkMTVector.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -9,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+using namespace vtkMTVector;
+
 namespace
 {
 // Clipping takes the square of the corners: larger polygons are left open.
@@ -16,23 +20,6 @@ constexpr std::size_t CornersLimit = 4000;
 
 // What rounding may make of a flat triangle, as a share of its polygon.
 constexpr double FlatShare = 1e-9;
-
-using Vector = vtkMTRealPoint;
-
-Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 double Length(const Vector& a)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiTriangulationVerifier.h"
 
+#include "Interpreter/vtkMTLongWork.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkIdTypeArray.h"
@@ -230,6 +231,7 @@ bool vtkMultiTriangulationVerifier::Verify(const vtkMTPatchSource& source, const
 bool vtkMultiTriangulationVerifier::VerifyInput(
   const vtkMTPatchSource& source, vtkPolyData* mesh, const InputOpener& openInput)
 {
+  const vtkMTLongWork work;
   this->Clear();
   this->UpdateProgress(0.0);
   bool verified = false;

@@ -57,6 +57,21 @@ void vtkMTErrorCollector::Observe(vtkObject* object)
   this->Observed.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, this->Command));
 }
 
+void vtkMTErrorCollector::IgnoreUnknownKeys(vtkAlgorithm* reader)
+{
+  const vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void*, void* text)
+    {
+      const std::string message = text ? static_cast<const char*>(text) : "";
+      if (message.find("Could not locate key ") == std::string::npos)
+      {
+        vtkOutputWindowDisplayWarningText(message.c_str());
+      }
+    });
+  reader->AddObserver(vtkCommand::WarningEvent, command);
+}
+
 void vtkMTErrorCollector::ObserveOutputWindow(bool warningsToo)
 {
   if (!this->Displaced)

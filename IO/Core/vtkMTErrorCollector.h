@@ -30,6 +30,10 @@ public:
   /// What VTK says without naming an object that could be observed: some readers report damage by warnings of no one.
   /// While this lives it is collected instead of being displayed; whatever other threads say in the meantime, too.
   void ObserveOutputWindow(bool warningsToo);
+  /// Has a reader of VTK's XML files not say that it lacks a module (vtkExodusIIReader's, say) which defines a key of
+  /// an array's information: neither its values nor its name depend on that. Its other warnings are displayed as
+  /// before.
+  static void IgnoreUnknownKeys(vtkAlgorithm* reader);
   /// For objects that take an error observer instead of being observed.
   vtkCommand* GetCommand();
 

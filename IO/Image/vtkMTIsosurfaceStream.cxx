@@ -3,6 +3,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
@@ -20,8 +21,24 @@ namespace
 {
 using Place = vtkMTVolumePlace::Vector;
 
+// Flying edges subtract samples in their own type, where a difference of unsigned int wraps around and one of int may
+// overflow (VTK 9.1): such samples become double.
+void MakeSubtractable(vtkImageData* slab)
+{
+  vtkDataArray* const samples = slab->GetPointData()->GetScalars();
+  const int type = samples ? samples->GetDataType() : VTK_DOUBLE;
+  if (type == VTK_FLOAT || type == VTK_DOUBLE || samples->GetDataTypeSize() < 4)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> safe;
+  safe->DeepCopy(samples);
+  slab->GetPointData()->SetScalars(safe);
+}
+
 void Contour(vtkImageData* slab, double value, bool gradientNormals, vtkPolyData* mesh)
 {
+  MakeSubtractable(slab);
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(slab);
   contour->SetValue(0, value);

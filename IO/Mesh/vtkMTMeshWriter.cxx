@@ -3,6 +3,7 @@
 
 #include "vtkMTErrorCollector.h"
 #include "vtkMTGltfWriter.h"
+#include "vtkMTLookupTable.h"
 #include "vtkMTOutputFile.h"
 #include "vtkMTPlyWriter.h"
 #include "vtkMTPolyDataStream.h"
@@ -10,10 +11,14 @@
 #include "vtkMTStreamWalk.h"
 #include "vtkMTTextFormat.h"
 
-#include "vtkDataSetAttributes.h"
+#include "vtkCellData.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
@@ -320,15 +325,43 @@ std::vector<std::string> FindDropped(const std::vector<vtkMTArrayInfo>& arrays, 
 }
 
 //------------------------------------------------------------------------------
+// VTK's file has no place for the tables of arrays: what their ids are the names of goes into the field data, an array
+// NAME_names of pairs for each.
+void AddNames(vtkDataSetAttributes* arrays, vtkFieldData* to)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = arrays->GetArray(i);
+    const auto names = vtkMTLookupTable::GetNames(array ? array->GetLookupTable() : nullptr);
+    if (names.empty())
+    {
+      continue;
+    }
+    vtkNew<vtkStringArray> pairs;
+    pairs->SetName((std::string(array->GetName()) + "_names").c_str());
+    pairs->SetNumberOfComponents(2);
+    for (const auto& [value, name] : names)
+    {
+      pairs->InsertNextValue(value);
+      pairs->InsertNextValue(name);
+    }
+    to->AddArray(pairs);
+  }
+}
+
 bool WriteVtp(const std::string& path, vtkPolyData* mesh, std::string& error)
 {
   return Publish(path, error,
     [mesh](vtkMTOutputFile& file, std::string& reason)
     {
+      vtkNew<vtkPolyData> copy;
+      copy->ShallowCopy(mesh);
+      AddNames(mesh->GetPointData(), copy->GetFieldData());
+      AddNames(mesh->GetCellData(), copy->GetFieldData());
       vtkNew<vtkXMLPolyDataWriter> writer;
       vtkMTErrorCollector errors;
       errors.Observe(writer);
-      writer->SetInputData(mesh);
+      writer->SetInputData(copy);
       writer->SetFileName(file.GetTemporaryName().c_str());
       writer->SetDataModeToAppended();
       writer->EncodeAppendedDataOff();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The codec's one side: from triangles to steps and names.
+#include "vtkMTTriangleEdges.h"
 #include "vtkMTTriangleFront.h"
-
-#include <numeric>
 
 namespace
 {
@@ -116,109 +115,6 @@ std::vector<unsigned char> WriteNames(const std::vector<Name>& names)
 }
 
 //------------------------------------------------------------------------------
-// The triangles that have an edge in a given direction.
-class Edges
-{
-public:
-  Edges(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
-    : First(vertices + 1, 0)
-    , Corners(3 * triangles.size())
-    , Triangles(triangles)
-    , IsDone(triangles.size(), 0)
-    , Reverse(triangles.size(), Unknown)
-  {
-    for (const vtkMTTriangle& t : triangles)
-    {
-      for (std::uint32_t v : t)
-      {
-        ++this->First[v + std::size_t(1)];
-      }
-    }
-    std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
-    std::vector<std::size_t> next(this->First.begin(), this->First.end() - 1);
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    {
-      for (std::uint32_t c = 0; c < 3; ++c)
-      {
-        this->Corners[next[triangles[t][c]]++] = { t, c };
-      }
-    }
-  }
-
-  struct Corner
-  {
-    std::uint32_t Triangle = None;
-    std::uint32_t Index = 0;
-  };
-  // A triangle that is not done and runs from a to b, which is its corner `Index` to the next; the first of them, but
-  // rather one that is there a second time the other way round: one goes to it and back by the other one, while nothing
-  // would lead there later, where the surface goes on past it.
-  Corner Find(std::uint32_t a, std::uint32_t b)
-  {
-    Corner found;
-    for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
-    {
-      const Corner& corner = this->Corners[i];
-      if (this->IsDone[corner.Triangle] || this->Get(corner, 1) != b)
-      {
-        continue;
-      }
-      if (found.Triangle == None)
-      {
-        found = corner;
-      }
-      else if (!this->HasReverse(found) && this->HasReverse(corner))
-      {
-        return corner;
-      }
-    }
-    return found;
-  }
-  void Finish(std::uint32_t triangle) { this->IsDone[triangle] = 1; }
-  bool IsFinished(std::uint32_t triangle) const { return this->IsDone[triangle] != 0; }
-
-private:
-  std::uint32_t Get(const Corner& corner, std::uint32_t offset) const
-  {
-    return this->Triangles[corner.Triangle][(corner.Index + offset) % 3];
-  }
-  // Done or not; looked for once, as there may be any number of triangles at a vertex.
-  bool HasReverse(const Corner& corner)
-  {
-    ReverseType& reverse = this->Reverse[corner.Triangle];
-    if (reverse == Unknown)
-    {
-      reverse = this->FindReverse(corner) ? Some : Lone;
-    }
-    return reverse == Some;
-  }
-  bool FindReverse(const Corner& corner) const
-  {
-    const std::uint32_t a = this->Get(corner, 0);
-    for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
-    {
-      const Corner& other = this->Corners[i];
-      if (this->Get(other, 1) == this->Get(corner, 2) && this->Get(other, 2) == this->Get(corner, 1))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  enum ReverseType : unsigned char
-  {
-    Unknown,
-    Some,
-    Lone
-  };
-  std::vector<std::size_t> First;
-  std::vector<Corner> Corners;
-  const std::vector<vtkMTTriangle>& Triangles;
-  std::vector<unsigned char> IsDone;
-  std::vector<ReverseType> Reverse;
-};
-
 class Encoder
 {
 public:
@@ -293,7 +189,7 @@ private:
     const std::uint32_t from = this->Growing.GetFrom();
     const std::uint32_t to = this->Growing.GetTo();
     const std::uint32_t situation = this->Growing.GetSituation();
-    const Edges::Corner behind = this->Lookup.Find(to, from);
+    const vtkMTTriangleEdges::Corner behind = this->Lookup.Find(to, from);
     if (behind.Triangle == None)
     {
       this->Steps.Put(Nothing, situation);
@@ -338,7 +234,7 @@ private:
   }
 
   const std::vector<vtkMTTriangle>& Triangles;
-  Edges Lookup;
+  vtkMTTriangleEdges Lookup;
   Workspace Work;
   Front Growing;
   std::vector<std::uint32_t> Number;

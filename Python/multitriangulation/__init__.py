@@ -9,6 +9,7 @@ Importing the package loads the VTK modules that the classes build on, and regis
 """
 import importlib
 import pkgutil
+import threading
 
 from vtkmodules.vtkCommonCore import vtkObjectBase
 
@@ -32,3 +33,7 @@ for _entry in sorted(pkgutil.iter_modules(__path__), key=lambda entry: entry.nam
         _export(importlib.import_module(f"{__name__}.{_entry.name}"))
 
 __all__.sort()
+
+from . import _interpreter  # noqa: E402  links to the modules above
+
+_interpreter.install(threading.main_thread().ident)

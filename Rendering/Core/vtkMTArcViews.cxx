@@ -26,7 +26,7 @@ void vtkMTArcViews::Begin(
   this->Threshold = views.empty() ? settings.ModelError : settings.PixelError;
   this->Eyes.clear();
   const bool isOfNormals = settings.ErrorMetric == vtkMTTargetCut::NormalDeviation;
-  this->NormalDeviations = isOfNormals ? graph.FindMeasure("mean normal deviation") : nullptr;
+  this->NormalDeviations = isOfNormals ? graph.FindMeasure(vtkMTMeasure::MeanNormalDeviation) : nullptr;
   for (const vtkMTView& view : views)
   {
     const std::optional<Facing> side =

@@ -2,6 +2,7 @@
 #include "vtkMTWindowPainters.h"
 
 #include "vtkMTTrianglePainter.h"
+#include "vtkMTWindowClock.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderTimer.h"
@@ -49,6 +50,7 @@ struct vtkMTWindowPainters::Entry
   vtkWeakPointer<vtkRenderWindow> Window;
   vtkMTTrianglePainter Painter;
   vtkOpenGLRenderTimer Timer;
+  std::shared_ptr<vtkMTWindowClock> Clock;
   vtkNew<Watch> Context;
 
   Entry()
@@ -57,6 +59,11 @@ struct vtkMTWindowPainters::Entry
     {
       this->Painter.ReleaseGraphicsResources();
       this->Timer.ReleaseGraphicsResources();
+      if (this->Clock)
+      {
+        this->Clock->ReleaseGraphicsResources();
+        this->Clock = nullptr;
+      }
       this->Window = nullptr;
     };
   }
@@ -101,6 +108,7 @@ vtkMTWindowPainters::Entry& vtkMTWindowPainters::Find(vtkRenderWindow* window)
   if (entry.Window != window)
   {
     entry.Window = window;
+    entry.Clock = vtkMTWindowClock::Get(window);
     entry.Context->SetContext(vtkOpenGLRenderWindow::SafeDownCast(window));
   }
   return entry;
@@ -114,6 +122,11 @@ vtkMTTrianglePainter& vtkMTWindowPainters::Use(vtkRenderWindow* window)
 vtkOpenGLRenderTimer& vtkMTWindowPainters::GetTimer(vtkRenderWindow* window)
 {
   return this->Find(window).Timer;
+}
+
+const std::shared_ptr<vtkMTWindowClock>& vtkMTWindowPainters::GetClock(vtkRenderWindow* window)
+{
+  return this->Find(window).Clock;
 }
 
 std::uint64_t vtkMTWindowPainters::Share(vtkRenderWindow* window, std::uint64_t limit)

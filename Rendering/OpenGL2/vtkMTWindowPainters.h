@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkMTTrianglePainter;
+class vtkMTWindowClock;
 class vtkOpenGLRenderTimer;
 class vtkRenderWindow;
 class vtkWindow;
@@ -34,6 +35,8 @@ public:
   /// it gives is the window's until that is released; it is never an object that another window's patches are in.
   vtkMTTrianglePainter& Use(vtkRenderWindow* window);
   vtkOpenGLRenderTimer& GetTimer(vtkRenderWindow* window);
+  /// The window's clock, shared with other mappers' painters.
+  const std::shared_ptr<vtkMTWindowClock>& GetClock(vtkRenderWindow* window);
   /// Bytes that the painter of the window may take of a limit.
   std::uint64_t Share(vtkRenderWindow* window, std::uint64_t limit);
 

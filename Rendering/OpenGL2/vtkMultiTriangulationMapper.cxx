@@ -240,8 +240,9 @@ double vtkMultiTriangulationMapper::GetLongestLock()
 //------------------------------------------------------------------------------
 double vtkMultiTriangulationMapper::GetCurrentDrawingRate()
 {
-  this->Implementation->Rate.SetGiven(this->DrawingRate);
-  return this->Implementation->Rate.GetRate();
+  const std::shared_ptr<vtkMTWindowClock> clock = this->Implementation->Clock.lock();
+  const double measured = clock ? clock->GetRate() : 0.0;
+  return this->DrawingRate > 0.0 ? this->DrawingRate : measured;
 }
 
 //------------------------------------------------------------------------------

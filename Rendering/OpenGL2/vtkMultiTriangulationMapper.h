@@ -271,14 +271,18 @@ public:
   ///@{
   /**
    * How many triangles are drawn in a second, by which the time that a renderer allows the actor becomes a number of
-   * triangles; see vtkProp::GetAllocatedRenderTime, which a window's DesiredUpdateRate leads to. Default 0: measured,
-   * by the clock, in the frames before. Negative values are clamped to 0. While the camera is still, an interactor asks
-   * for 0.0001 frames per second, and without one that is what a window asks for anyway, so then there is all the time
-   * that PixelError needs; a picture depends on the clock only where a frame rate is asked for and nothing is set here.
+   * triangles; see vtkProp::GetAllocatedRenderTime, which a window's DesiredUpdateRate leads to. Default 0: the
+   * window's whole frames are measured, whatever else is drawn in them, and the next ones' triangles are chosen so that
+   * the median frame takes the time that is asked for, as far as the coarsest cut allows it; see vtkMTDrawingRate. All
+   * models in the window share these triangles as its renderers share the time. Clamped to [0, 1e15]; NaN is refused
+   * with an error event. While the camera is still, an interactor asks for 0.0001 frames per second, and without one
+   * that is what a window asks for anyway, so then there is all the time that PixelError needs; a picture depends on
+   * the clock only where a frame rate is asked for and nothing is set here.
    */
   void SetDrawingRate(double trianglesPerSecond);
   vtkGetMacro(DrawingRate, double);
-  /// What budgets are made of now, measured or set; 0 while nothing has been measured.
+  /// Triangles per second, set or measured in whole frames of the window that was drawn last; 0 while nothing has been
+  /// measured. The frame in which the mapper is first drawn in a window is not measured.
   double GetCurrentDrawingRate();
   ///@}
 
@@ -403,6 +407,7 @@ private:
   void ForgetColors();
   void UpdateFrame(vtkRenderer* renderer, vtkActor* actor);
   bool WaitsFor(vtkRenderer* renderer);
+  std::uint64_t GetTrianglesInTime(vtkRenderer* renderer, vtkActor* actor);
   void TakeFigures();
   void UpdateCellTextures(vtkRenderer* renderer);
   void SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);

@@ -75,7 +75,6 @@ void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActo
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   self.CallSeconds = seconds.count();
   this->TimeToDraw = std::max<double>(seconds.count(), timer.GetReusableElapsedSeconds());
-  self.Rate.AddSeconds(this->TimeToDraw);
 }
 
 //------------------------------------------------------------------------------

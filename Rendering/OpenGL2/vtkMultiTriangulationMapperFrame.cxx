@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkMultiTriangulationMapper: what a frame asks for, and what became of it.
+#include "vtkMTDrawableScale.h"
 #include "vtkMTRendererView.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
@@ -40,17 +41,32 @@ bool vtkMultiTriangulationMapper::WaitsFor(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+// 0 is no limit, and so is more than there are, lest a limit that flickers ask for a new cut.
+std::uint64_t vtkMultiTriangulationMapper::GetTrianglesInTime(vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& self = *this->Implementation;
+  const std::shared_ptr<vtkMTWindowClock>& clock = self.Painters.GetClock(renderer->GetRenderWindow());
+  self.Clock = clock;
+  vtkMTFrameClock& frame = clock->UseInFrame();
+  if (renderer->GetSelector())
+  {
+    frame.Discard();
+  }
+  const double seconds = actor->GetAllocatedRenderTime();
+  const double wanted = clock->GetWanted();
+  const auto measured = static_cast<double>(frame.Allow(seconds / wanted, wanted));
+  const double triangles = this->DrawingRate > 0.0 ? std::max(this->DrawingRate * seconds, 1.0) : measured;
+  return triangles < static_cast<double>(self.Frame.GetNumberOfFinestTriangles())
+    ? static_cast<std::uint64_t>(triangles)
+    : 0;
+}
+
+//------------------------------------------------------------------------------
 // The passes of a selection must all see one cut, since what the first ones write is looked up after the last: none of
 // them begins a frame.
 void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& self = *this->Implementation;
-  if (IsFirstPass(actor))
-  {
-    // So the frame before is over, and what its passes took is known.
-    self.Rate.EndFrame(static_cast<std::uint64_t>(this->NumberOfTriangles));
-  }
-  self.Rate.SetGiven(this->DrawingRate);
   self.Painter->Apply(self.Graph(), self.Plan, actor,
     [this](int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
     { this->MapPatchScalars(array, patch, bytes); });
@@ -58,8 +74,8 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   vtkRenderWindow* window = renderer->GetRenderWindow();
   vtkMTFrame::Settings settings;
   settings.Cut.PixelError = this->PixelError;
-  settings.Cut.TriangleLimit = GetLower(static_cast<std::uint64_t>(this->TriangleLimit),
-    self.Rate.GetTriangles(actor->GetAllocatedRenderTime(), self.Frame.GetNumberOfFinestTriangles()));
+  settings.Cut.TriangleLimit =
+    GetLower(static_cast<std::uint64_t>(this->TriangleLimit), this->GetTrianglesInTime(renderer, actor));
   settings.Cut.ErrorMetric = static_cast<vtkMTTargetCut::ErrorMetricType>(this->ErrorMetric);
   settings.Cut.FrustumCulling = this->FrustumCulling;
   // A frame that mirrors turns the triangles, and the cones that say what faces away are those of the lattice.
@@ -81,10 +97,22 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   const std::array<double, 6>& bounds = self.GetBounds(self.Frame.GetSource());
   self.Origin = self.Graph().Lattice.Snap(vtkMTRendererView::GetNearest(renderer, modelToWorld, bounds).data());
   this->TakeFigures();
+  if (settings.Advance)
+  {
+    const std::shared_ptr<vtkMTWindowClock>& clock = self.Painters.GetClock(window);
+    clock->UseInFrame().Draw(
+      actor->GetAllocatedRenderTime() / clock->GetWanted(), self.Cut->Triangles, !self.Cut->Converged);
+  }
   for (const std::string& failure : self.Frame.TakeFailures())
   {
     vtkErrorMacro(<< failure);
   }
+  const std::string problem = vtkMTDrawableScale::FindProblem(actor->GetBounds());
+  if (problem != self.ScaleProblem && !problem.empty())
+  {
+    vtkErrorMacro("The model cannot be drawn: " << problem << ".");
+  }
+  self.ScaleProblem = problem;
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 #define vtkMultiTriangulationMapperInternals_h
 
 #include "vtkActor.h"
-#include "vtkMTDrawingRate.h"
 #include "vtkMTFrame.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
@@ -12,6 +11,7 @@
 #include "vtkMTPlacement.h"
 #include "vtkMTTrianglePainter.h"
 #include "vtkMTView.h"
+#include "vtkMTWindowClock.h"
 #include "vtkMTWindowPainters.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiTriangulationMapper.h"
@@ -34,9 +34,9 @@ struct vtkMultiTriangulationMapper::Internals
 {
   vtkNew<vtkPolyData> Template; // one point without cells: makes the superclass build the shaders
   vtkMTFrame Frame;
-  vtkMTDrawingRate Rate;
   vtkMTWindowPainters Painters;
   vtkMTTrianglePainter* Painter = nullptr; // of the window that is being drawn
+  std::weak_ptr<vtkMTWindowClock> Clock;   // likewise
   bool KeepsPatches = false;               // where the superclass's resources are released
   bool DrewPatches = false;
 
@@ -56,6 +56,7 @@ struct vtkMultiTriangulationMapper::Internals
   ConversionType Conversion = Mapped;
   double FullColor = 255.0;
   std::string ForeignArrays; // that were warned of
+  std::string ScaleProblem;  // that was told
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <iostream>
 #include <set>
+#include <sstream>
 
 namespace
 {
@@ -77,6 +78,43 @@ TEST_F(Render, TheDefaultCameraShowsTheWholeModel)
   EXPECT_GT(picture.Covered, 0.1);
   EXPECT_FALSE(picture.TouchesBorder);
   std::cout << json.dump() << ", covered " << picture.Covered << "\n";
+}
+
+// A square pyramid, as text, with coordinates in units of scale.
+std::string MakePyramid(double scale)
+{
+  std::ostringstream off;
+  off.precision(17);
+  off << "OFF\n5 6 0\n";
+  for (const std::array<int, 3>& x :
+    std::array<std::array<int, 3>, 5>{ { { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { 0, 0, 2 } } })
+  {
+    off << x[0] * scale << " " << x[1] * scale << " " << x[2] * scale << "\n";
+  }
+  off << "3 0 2 1\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
+  return off.str();
+}
+
+TEST_F(Render, WhatVtkCannotDrawIsRefusedWithTheReasonAndNotDrawnEmpty)
+{
+  for (const int exponent : { 0, 100, 120, -60, 127, 200, 500, 1000, -80, -500, -1000 })
+  {
+    this->WriteFile("scale.off", MakePyramid(std::ldexp(1.0, exponent)));
+    ASSERT_EQ(this->Bmt({ "build", this->Path("scale.off"), "-o", this->Path("scale.bmt") }).Exit, 0) << exponent;
+    const MTRun verify =
+      this->Bmt({ "verify", this->Path("scale.bmt"), "--input", this->Path("scale.off"), "--samples", "1000" });
+    EXPECT_EQ(verify.Exit, 0) << exponent << ": " << verify.Out;
+    const MTRun run =
+      this->Bmt({ "render", this->Path("scale.bmt"), "-o", this->Path("scale.png"), "--size", "100x100" });
+    if (exponent > 120 || exponent < -60)
+    {
+      EXPECT_EQ(run.Exit, 1) << exponent;
+      EXPECT_NE(run.Err.find("cannot be drawn"), std::string::npos) << exponent << ": " << run.Err;
+      continue;
+    }
+    EXPECT_EQ(run.Exit, 0) << exponent;
+    EXPECT_GT(Look(this->Path("scale.png")).Covered, 0.1) << exponent;
+  }
 }
 
 TEST_F(Render, ASmallerPixelErrorDrawsMoreAndABudgetIsKept)
@@ -195,6 +233,21 @@ TEST_F(Render, TexturesAreDrawnOnTheirMaterialsAndMissingOnesListed)
   EXPECT_EQ(look(0.5, 0.8), (std::array<int, 3>{ 0, 1, 0 }));
   EXPECT_EQ(look(1.5, 0.2), (std::array<int, 3>{ 1, 1, 1 }));
   EXPECT_EQ(look(1.5, 0.8), (std::array<int, 3>{ 1, 1, 1 }));
+  // An image that the mesh does not name is on all of it, in place of those that it names.
+  const std::vector<std::string> call = { "render", this->Path("square.bmt"), "-o", this->Path("picture.png"), "--size",
+    "400x400", "--camera=1,0.5,4,1,0.5,0,0,1,0", "--texture", this->Path("two.png") };
+  EXPECT_TRUE(this->BmtJson(call)["texture_problems"].empty());
+  reader->Modified();
+  reader->Update();
+  for (const double x : { 0.5, 1.5 })
+  {
+    EXPECT_EQ(look(x, 0.2), (std::array<int, 3>{ 1, 0, 0 })) << x;
+    EXPECT_EQ(look(x, 0.8), (std::array<int, 3>{ 0, 1, 0 })) << x;
+  }
+  const MTRun refused = this->Bmt(
+    { "render", this->Path("square.bmt"), "-o", this->Path("other.png"), "--texture", this->Path("lost.jpg") });
+  EXPECT_EQ(refused.Exit, 1);
+  EXPECT_NE(refused.Err.find("lost.jpg: the image is damaged"), std::string::npos) << refused.Err;
 }
 
 TEST_F(Render, WithoutADisplayThereIsAMessageAndNoAbort)

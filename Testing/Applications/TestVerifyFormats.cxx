@@ -214,7 +214,8 @@ protected:
       const MTRun run = this->Verify("wrong." + ending);
       EXPECT_EQ(run.Exit, 1) << ending << ", " << name << ": " << run.Out;
       std::string message;
-      for (const nlohmann::json& check : run.Json()["checks"])
+      const nlohmann::json report = run.Json();
+      for (const nlohmann::json& check : report["checks"])
       {
         message = check["name"] == difference.Check ? check.value("message", "") : message;
       }
@@ -248,6 +249,86 @@ TEST_F(VerifyFormats, VtkFilesAreHeldAgainstTheirModels)
 {
   this->Check("vtp", true, true);
   this->Check("vtk", true, true);
+}
+
+TEST_F(VerifyFormats, ColorsOfPlyOfEveryTypeAndCountAreThoseOfTheModel)
+{
+  const std::vector<std::pair<std::string, std::string>> kinds = { { "uchar", "255" }, { "ushort", "200" },
+    { "ushort", "60000" }, { "short", "32767" }, { "int", "255" }, { "uint", "4294967295" }, { "float", "0.75" },
+    { "float", "128.5" }, { "double", "1000" } };
+  for (const auto& [type, most] : kinds)
+  {
+    std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    for (const char* channel : { "red", "green", "blue" })
+    {
+      text += "property " + type + " " + channel + "\n";
+    }
+    text += "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    text += "0 0 0 " + most + " 0 0\n1 0 0 0 " + most + " 0\n1 1 0 0 0 " + most + "\n0 1 0 0 0 0\n3 0 1 2\n3 0 2 3\n";
+    this->WriteFile("colors.ply", text);
+    ASSERT_EQ(this->Bmt({ "build", this->Path("colors.ply"), "-o", this->Path("model.bmt") }).Exit, 0);
+    const MTRun run = this->Verify("colors.ply");
+    EXPECT_EQ(run.Exit, 0) << type << " up to " << most << ": " << run.Err;
+    const nlohmann::json report = run.Json();
+    const auto arrays = std::find_if(report["checks"].begin(), report["checks"].end(),
+      [](const nlohmann::json& check) { return check["name"] == "input_arrays"; });
+    EXPECT_GT((*arrays)["tested"], 0) << type;
+    this->WriteFile("colors.ply", text.replace(text.find(most + " 0 0"), most.size(), "0"));
+    EXPECT_EQ(this->Verify("colors.ply").Exit, 1) << type << " up to " << most;
+  }
+}
+
+TEST_F(VerifyFormats, WholeNumbersThatTheUserCallsValuesMayMix)
+{
+  constexpr int side = 60;
+  std::ostringstream text;
+  text << "ply\nformat ascii 1.0\nelement vertex " << side * side
+       << "\nproperty float x\nproperty float y\nproperty float z\nproperty int zone\nelement face "
+       << (side - 1) * (side - 1) << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = 0; i < side * side; ++i)
+  {
+    const int x = i % side, y = i / side;
+    text << x << ' ' << y << ' ' << std::sin(0.3 * x) * std::cos(0.2 * y) << ' ' << (x < side / 2 ? 7 : 200) << "\n";
+  }
+  for (int i = 0; i < side * (side - 1); ++i)
+  {
+    if (i % side < side - 1)
+    {
+      text << "4 " << i << ' ' << i + 1 << ' ' << i + side + 1 << ' ' << i + side << "\n";
+    }
+  }
+  this->WriteFile("zones.ply", text.str());
+  for (const char* meaning : { "--labels", "--values" })
+  {
+    const MTRun built = this->Bmt(
+      { "build", this->Path("zones.ply"), "-o", this->Path("model.bmt"), "--patch-triangles", "100", meaning, "zone" });
+    ASSERT_EQ(built.Exit, 0) << built.Err;
+    const MTRun run = this->Verify("zones.ply");
+    EXPECT_EQ(run.Exit, 0) << run.Err;
+    const nlohmann::json report = run.Json();
+    const auto labels = std::find_if(report["checks"].begin(), report["checks"].end(),
+      [](const nlohmann::json& check) { return check["name"] == "labels"; });
+    EXPECT_EQ((*labels)["tested"] > 0, meaning == std::string("--labels")) << *labels;
+  }
+}
+
+TEST_F(VerifyFormats, NamesInAnotherEncodingThanUtf8AreNoFailure)
+{
+  this->WriteFile("latin.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng fen\xEAtre\nf 1 2 3\ng mur\nf 1 3 4\n");
+  for (const char* json : { "", "--json" })
+  {
+    std::vector<std::string> build = { "build", this->Path("latin.obj"), "-o", this->Path("model.bmt") };
+    std::vector<std::string> info = { "info", this->Path("model.bmt") };
+    for (std::vector<std::string>* const call : { &build, &info })
+    {
+      call->insert(call->end(), *json ? 1 : 0, json);
+      const MTRun run = this->Bmt(*call);
+      EXPECT_EQ(run.Exit, 0) << run.Err;
+      EXPECT_NE(run.Out.find("mur"), std::string::npos) << run.Out;
+    }
+  }
+  EXPECT_EQ(this->Verify("latin.obj").Exit, 0);
 }
 
 TEST_F(VerifyFormats, ColorsThatTheModelLacksAreMissed)

@@ -1,21 +1,27 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Builds meshes of kinds that invite quadratic time, of n, 2n and 4n triangles, and prints what each took.
+"""Meshes of kinds that invite quadratic time, of n, 2n, 4n and 8n triangles: what it takes to build, to verify against the
+input and to read a model of each.
 
-usage: stiff_input.py BMT WORK [--kinds KIND ...] [--triangles N] [--simplifier MODE] [--limit SECONDS]
+usage: stiff_input.py BMT WORK [--kinds KIND ...] [--steps STEP ...] [--triangles N] [--limit CPU_SECONDS]
 
-BMT is the command; WORK takes meshes and models, which are deleted. N is the largest size (default: what each kind's
-table says); n and 2n are a quarter and a half of it. CPU seconds are user and system; the exponent is log2 of the ratio
-of the last two: 1 is linear, 2 quadratic.
+BMT is the command; WORK takes meshes and models, which are deleted. N is the largest size, 8n (default: what each kind's
+table says). CPU seconds are user and system, the least of --repeat runs, which are spread over the sizes so that other
+work on the machine meets all of them alike. Exponents are log2 of the ratio of neighbouring times: 1 is linear, 2
+quadratic, and n log n is 1.06 to 1.1 at these sizes; the last one is the mean of the three. 'too long' is more than
+--limit.
+
+Steps: build (--simplifier fast), best (--simplifier best), verify (--input), read (extract --level 0).
 """
 import argparse
 import array
 import math
 import os
 import pathlib
+import resource
+import signal
 import subprocess
 import sys
-import time
 
 
 class Mesh:
@@ -159,21 +165,67 @@ KINDS = {"fan": (fan, 100000), "two_fans": (two_fans, 100000), "spindle": (spind
          "needles": (needles, 100000), "pages": (pages, 100000), "sheets": (sheets, 100000), "touching": (touching, 100000)}
 
 
-def build(arguments, mesh, model):
-    command = [arguments.bmt, "build", mesh, "-o", model, "--simplifier", arguments.simplifier]
-    child = subprocess.Popen([str(c) for c in command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    end = time.monotonic() + arguments.limit
-    while time.monotonic() < end:
-        pid, status, usage = os.wait4(child.pid, os.WNOHANG)
-        if pid:
-            if status != 0:
-                print(child.stderr.read().decode(), file=sys.stderr)
-                return math.nan
-            return usage.ru_utime + usage.ru_stime
-        time.sleep(0.02)
-    child.kill()
-    child.wait()
-    return math.inf
+def run(command, limit):
+    """CPU seconds; infinite where they are more than the limit."""
+    def set_limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
+
+    child = subprocess.Popen([str(c) for c in command], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                             preexec_fn=set_limit)
+    message = child.stderr.read().decode()
+    _, status, usage = os.wait4(child.pid, 0)
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL):
+        return math.inf
+    if status != 0:
+        print(message[-1000:], f"failed: {[str(c) for c in command]}", file=sys.stderr)
+        return math.nan
+    return usage.ru_utime + usage.ru_stime
+
+
+def run_step(arguments, step, mesh, model):
+    bmt = arguments.bmt
+    scratch = mesh.with_suffix(".out.ply")
+    commands = {"build": [bmt, "build", mesh, "-o", model],
+                "best": [bmt, "build", mesh, "-o", model, "--simplifier", "best"],
+                "verify": [bmt, "verify", model, "--input", mesh],
+                "read": [bmt, "extract", model, "--level", "0", "-o", scratch]}
+    seconds = run(commands[step], arguments.limit)
+    scratch.unlink(missing_ok=True)
+    return seconds
+
+
+def measure(arguments, kind, triangles):
+    """[step][size] the least CPU seconds."""
+    seconds = {step: [math.inf] * 4 for step in arguments.steps}
+    for _ in range(arguments.repeat):
+        for size, divisor in enumerate((8, 4, 2, 1)):
+            mesh = arguments.work / f"{kind}.ply"
+            model = arguments.work / f"{kind}.bmt"
+            KINDS[kind][0](triangles // divisor).write(mesh)
+            if "build" not in arguments.steps:
+                run([arguments.bmt, "build", mesh, "-o", model], arguments.limit)
+            for step in sorted(arguments.steps, key=STEPS.index):
+                if step in ("verify", "read") and not model.exists():
+                    continue
+                seconds[step][size] = min(seconds[step][size], run_step(arguments, step, mesh, model))
+            mesh.unlink()
+            model.unlink(missing_ok=True)
+    return seconds
+
+
+def print_row(kind, step, triangles, seconds):
+    def write(number):
+        return f"{number:.2f}" if math.isfinite(number) else "too long" if number == math.inf else "failed"
+
+    exponents = [math.log2(b / a) if math.isfinite(a) and math.isfinite(b) else math.nan
+                 for a, b in zip(seconds, seconds[1:])]
+    exponents.append(sum(exponents) / 3.0)
+    cells = [kind, step, str(triangles)] + [write(s) for s in seconds]
+    cells += [f"{e:.2f}" if math.isfinite(e) else "-" for e in exponents]
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+STEPS = ["best", "build", "verify", "read"]
 
 
 def main():
@@ -181,24 +233,16 @@ def main():
     parser.add_argument("bmt", type=pathlib.Path)
     parser.add_argument("work", type=pathlib.Path)
     parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
+    parser.add_argument("--steps", nargs="+", choices=STEPS, default=STEPS)
     parser.add_argument("--triangles", type=int)
-    parser.add_argument("--simplifier", default="fast")
-    parser.add_argument("--limit", type=float, default=600.0)
+    parser.add_argument("--repeat", type=int, default=1)
+    parser.add_argument("--limit", type=int, default=600)
     arguments = parser.parse_args()
-    print("| kind | triangles | n, CPU s | 2n | 4n | exponent |\n|---|---|---|---|---|---|")
+    print("| kind | step | 8n | n, CPU s | 2n | 4n | 8n | exponents | | | mean |\n|" + "---|" * 11)
     for kind in arguments.kinds:
-        make, default = KINDS[kind]
-        triangles = arguments.triangles or default
-        seconds = []
-        for divisor in (4, 2, 1):
-            mesh = arguments.work / f"{kind}.ply"
-            model = arguments.work / f"{kind}.bmt"
-            make(triangles // divisor).write(mesh)
-            seconds.append(build(arguments, mesh, model))
-            mesh.unlink()
-            model.unlink(missing_ok=True)
-        exponent = math.log2(seconds[2] / seconds[1])
-        print(f"| {kind} | {triangles} | " + " | ".join(f"{s:.2f}" for s in seconds) + f" | {exponent:.2f} |", flush=True)
+        triangles = arguments.triangles or KINDS[kind][1]
+        for step, seconds in measure(arguments, kind, triangles).items():
+            print_row(kind, step, triangles, seconds)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include "vtkMTScratchStore.h"
 #include "vtkMTTriangleStream.h"
 #include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationBuilder.h"
 #include "vtkMultiTriangulationReader.h"
 #include "vtkMultiTriangulationWriter.h"
 
@@ -55,6 +56,19 @@ protected:
   }
 
   // Squared distances from the middle of 20 by 20 by 20 samples.
+  // A block: flat sides and hard edges.
+  void WriteBlock() const
+  {
+    std::string text = "# vtk DataFile Version 3.0\nblock\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 20 20 20\n"
+                       "ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 8000\nSCALARS values float 1\nLOOKUP_TABLE default\n";
+    for (int i = 0; i < 8000; ++i)
+    {
+      const auto isInside = [](int x) { return x >= 5 && x < 15; };
+      text += isInside(i % 20) && isInside(i / 20 % 20) && isInside(i / 400) ? "1\n" : "0\n";
+    }
+    MTIOTest::WriteFile(this->Folder / "block.vtk", text);
+  }
+
   void WriteVolume() const
   {
     std::string text = "# vtk DataFile Version 3.0\nvolume\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 20 20 20\n"
@@ -251,6 +265,25 @@ TEST_F(FileBuilderInputs, LabelsNeverMix)
   Observe(builder, events);
   EXPECT_EQ(builder->Write(), 0);
   EXPECT_EQ(builder->GetErrorCode(), vtkMultiTriangulationFileBuilder::ArrayError);
+}
+
+TEST_F(FileBuilderInputs, IsosurfacesAreNoCadUnlessItIsSaid)
+{
+  this->WriteBlock();
+  const vtkNew<vtkMultiTriangulationFileBuilder> builder;
+  builder->SetFileName((this->Folder / "block.vtk").c_str());
+  builder->SetIsoValue(0.5);
+  const auto build = [&](double angle)
+  {
+    builder->SetFeatureAngle(angle);
+    this->Build(builder);
+    EXPECT_EQ(builder->GetFeatureAngle(), angle);
+    return MTIOTest::ReadFile(this->Folder / "out.bmt");
+  };
+  const MTIOTest::Bytes smooth = build(180.0);
+  EXPECT_TRUE(build(vtkMultiTriangulationBuilder::AutomaticFeatureAngle) == smooth);
+  EXPECT_FALSE(build(30.0) == smooth);
+  EXPECT_EQ(this->Model.GetGraph().Settings.at("feature_angle_auto"), "30") << "the mesh itself looks like CAD";
 }
 
 TEST_F(FileBuilderInputs, AVolumeNeedsAnIsoValue)

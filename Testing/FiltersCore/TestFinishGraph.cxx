@@ -102,7 +102,7 @@ TEST(FinishGraph, NormalDeviationsAreSaturatedMeasures)
   ASSERT_TRUE(vtkMTFinishGraph::Run(build.State, build.Sink, error)) << error;
   const vtkMTGraph& graph = build.Sink.GetGraph();
   const vtkMTMeasure* largest = graph.FindMeasure(vtkMTMeasure::NormalDeviation);
-  const vtkMTMeasure* mean = graph.FindMeasure("mean normal deviation");
+  const vtkMTMeasure* mean = graph.FindMeasure(vtkMTMeasure::MeanNormalDeviation);
   ASSERT_TRUE(largest && mean);
   EXPECT_EQ(graph.FindMeasure("no such"), nullptr);
   EXPECT_EQ(largest->Values, (std::vector<double>{ 0.75, 0.75, 0.5, 0.75, 0.0 })) << "the coarse node has its floor's";

@@ -15,7 +15,11 @@
 #include "vtkStructuredPointsWriter.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace MTIOTest;
 
@@ -88,6 +92,61 @@ TEST(VolumeReader, EveryFormatGivesTheSameIsosurface)
     EXPECT_NE(mesh->GetPointData()->GetNormals(), nullptr) << name;
   }
   std::filesystem::remove_all(folder);
+}
+
+TEST(VolumeReader, WholeNumbersOfEveryTypeGiveTheIsosurfaceOfDoubles)
+{
+  const std::string path = std::string(MT_TEST_OUTPUT_DIRECTORY) + "/types.vti";
+  const auto ball = MakeBall();
+  // Each with values from one end of its type to the other, whose differences it cannot hold.
+  const std::vector<std::pair<int, std::array<double, 2>>> types = { { VTK_UNSIGNED_CHAR, { 0, 255 } },
+    { VTK_SHORT, { -32768, 32767 } }, { VTK_UNSIGNED_SHORT, { 0, 65535 } },
+    { VTK_INT, { -2147483648.0, 2147483647.0 } }, { VTK_UNSIGNED_INT, { 0, 4294967295.0 } },
+    { VTK_LONG_LONG, { -9e18, 9e18 } }, { VTK_UNSIGNED_LONG_LONG, { 0, 1.8e19 } } };
+  for (const auto& [type, range] : types)
+  {
+    std::vector<std::array<double, 3>> points[2];
+    for (const int asType : { type, VTK_DOUBLE })
+    {
+      vtkNew<vtkImageData> volume;
+      volume->SetDimensions(Size, Size, Size);
+      volume->AllocateScalars(asType, 1);
+      vtkDataArray* const samples = volume->GetPointData()->GetScalars();
+      for (vtkIdType i = 0; i < samples->GetNumberOfTuples(); ++i)
+      {
+        const double share = ball->GetPointData()->GetScalars()->GetComponent(i, 0) / 21.0;
+        samples->SetComponent(i, 0, std::floor(range[0] + std::min(share, 1.0) * (range[1] - range[0])));
+      }
+      vtkNew<vtkXMLImageDataWriter> writer;
+      writer->SetInputData(volume);
+      writer->SetFileName(path.c_str());
+      ASSERT_EQ(writer->Write(), 1);
+      vtkNew<vtkPolyData> mesh;
+      std::string error;
+      ASSERT_TRUE(vtkMTVolumeReader::ReadIsosurface(path, 0.4 * range[0] + 0.6 * range[1], false, mesh, error))
+        << error;
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        std::array<double, 3> p{};
+        mesh->GetPoint(i, p.data());
+        points[asType == VTK_DOUBLE].push_back(p);
+      }
+    }
+    EXPECT_GT(points[1].size(), 1000u);
+    ASSERT_EQ(points[0].size(), points[1].size()) << vtkImageScalarTypeNameMacro(type);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < points[0].size(); ++i)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        largest = std::max(largest, std::abs(points[0][i][c] - points[1][i][c]));
+      }
+    }
+    std::printf(
+      "%s: %zu points, largest difference %g samples\n", vtkImageScalarTypeNameMacro(type), points[0].size(), largest);
+    EXPECT_LT(largest, 1e-5);
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(VolumeReader, EmptySpaceThatLzmaPacksBelowAnOctetPerThousandSamplesIsNoDamage)

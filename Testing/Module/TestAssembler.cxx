@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MTTestMeshes.h"
 #include "MTTestModel.h"
 #include "vtkMTAssembler.h"
 #include "vtkMTCut.h"
@@ -66,6 +67,72 @@ TEST(Assembler, PointsAreOneByIdAndNotByPlace)
   EXPECT_EQ(assembler.GetPointMap(), (std::vector<std::uint32_t>{ 4, 5, 6 }));
   EXPECT_EQ(FromColumn<int>(mesh.CellColumns[0]), (std::vector<int>{ 5, -5, 5 }));
   EXPECT_EQ(vtkMTValidate::Mesh(mesh, OneFloatPerWedge()).Violations, 0u);
+}
+
+// Triangles of the same three points, the first of which has a wedge of each value.
+vtkMTPatch ManyWedges(const std::vector<float>& values)
+{
+  vtkMTPatch patch;
+  patch.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  patch.Ids = { 10, 11, 12 };
+  std::vector<float> u = values;
+  patch.WedgePoints.assign(values.size(), 0);
+  patch.WedgePoints.insert(patch.WedgePoints.end(), { 1, 2 });
+  u.insert(u.end(), { 0.0f, 0.0f });
+  const auto others = static_cast<std::uint32_t>(values.size());
+  for (std::uint32_t w = 0; w < others; ++w)
+  {
+    patch.Triangles.push_back({ w, others, others + 1 });
+  }
+  patch.PointColumns = { ToColumn(u) };
+  patch.CellColumns = { ToColumn(std::vector<int>(others, 0)) };
+  return patch;
+}
+
+TEST(Assembler, WedgesOfAHubAreOneWhenTheirBytesAreEqual)
+{
+  MTTestMeshes::Random random(1);
+  vtkMTAssembler assembler(OneFloatPerWedge());
+  std::map<float, std::uint32_t> known; // the values of wedges that were met, in their order
+  std::vector<float> expected;
+  for (int i = 0; i < 60; ++i)
+  {
+    std::vector<float> values(1 + random.Below(20));
+    for (float& value : values)
+    {
+      value = static_cast<float>(random.Below(10 + 4 * static_cast<std::uint64_t>(i)));
+      expected.push_back(value);
+    }
+    ASSERT_TRUE(assembler.Add(ManyWedges(values)));
+  }
+  const vtkMTPatch& mesh = assembler.GetMesh();
+  const auto u = FromColumn<float>(mesh.PointColumns[0]);
+  ASSERT_EQ(mesh.Triangles.size(), expected.size());
+  for (std::size_t t = 0; t < expected.size(); ++t)
+  {
+    const std::uint32_t wedge = mesh.Triangles[t][0];
+    EXPECT_EQ(mesh.WedgePoints[wedge], 0u);
+    EXPECT_EQ(u[wedge], expected[t]);
+    EXPECT_EQ(known.insert({ expected[t], wedge }).first->second, wedge) << "there are two of one value";
+  }
+  EXPECT_GT(known.size(), 100u);
+  EXPECT_EQ(mesh.GetNumberOfWedges(), known.size() + 2);
+}
+
+// Held against all others, they would take half an hour, and the test does not.
+TEST(Assembler, AMillionWedgesOfOnePointAreFoundOneByOne)
+{
+  std::vector<float> values(1000000);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = static_cast<float>(i);
+  }
+  vtkMTAssembler assembler(OneFloatPerWedge());
+  for (int i = 0; i < 2; ++i)
+  {
+    ASSERT_TRUE(assembler.Add(ManyWedges(values)));
+    EXPECT_EQ(assembler.GetMesh().GetNumberOfWedges(), values.size() + 2);
+  }
 }
 
 TEST(Assembler, WedgesOfOnePointAreOneWhenTheirBytesAreEqual)

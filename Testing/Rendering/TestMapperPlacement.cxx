@@ -4,8 +4,11 @@
 #include "MTPicture.h"
 
 #include "vtkActor.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCellPicker.h"
+#include "vtkCommand.h"
+#include "vtkCullerCollection.h"
 #include "vtkImageData.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPatchStore.h"
@@ -26,6 +29,8 @@
 
 #include <cmath>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -94,6 +99,35 @@ TEST(Placement, FrameDrawsWhatAnActorsMatrixDraws)
     const auto clipped = byActor.Render();
     EXPECT_LE(MTDifference::Compare(byFrame.Render(), clipped).ClearlyOff, 3u);
     EXPECT_GT(MTDifference::Compare(clipped, expected).ClearlyOff, 1000u);
+  }
+}
+
+TEST(Placement, ScaleThatVtkCannotDrawIsAnErrorOnce)
+{
+  for (const double scale : { 1e20, 1e39, 1e-24 })
+  {
+    vtkNew<vtkMultiTriangulationMapper> mapper;
+    mapper->SetInputData(MakeInput());
+    std::vector<std::string> errors;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&errors);
+    command->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
+      { static_cast<std::vector<std::string>*>(client)->emplace_back(static_cast<const char*>(text)); });
+    mapper->AddObserver(vtkCommand::ErrorEvent, command);
+    MTScene scene(mapper);
+    scene.Renderer->GetCullers()->RemoveAllItems(); // which may find it too small
+    scene.Actor->SetScale(scale);
+    scene.Renderer->ResetCamera();
+    scene.Render();
+    scene.Render();
+    if (scale == 1e20)
+    {
+      EXPECT_TRUE(errors.empty());
+      continue;
+    }
+    ASSERT_EQ(errors.size(), 1u) << scale;
+    EXPECT_NE(errors[0].find("cannot be drawn"), std::string::npos) << errors[0];
+    std::cout << errors[0];
   }
 }
 

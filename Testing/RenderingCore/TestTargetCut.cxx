@@ -119,7 +119,7 @@ TEST(Extraction, EdgeLengthChoiceComparesEdgeLengths)
 vtkMTGraph MakeGraphWithNormals(std::uint32_t seed, double angle)
 {
   vtkMTGraph graph = MTRandomGraph::Make(seed, 80);
-  vtkMTMeasure measure{ "mean normal deviation", {} };
+  vtkMTMeasure measure{ vtkMTMeasure::MeanNormalDeviation, {} };
   for (const vtkMTNode& node : graph.Nodes)
   {
     measure.Values.push_back(std::min(3.1, angle * node.Level));

@@ -50,7 +50,7 @@ TEST(ExtractionView, EverythingVisibleIsBelowTheThreshold)
 TEST(ExtractionView, NormalsCountWhileEdgesExceedAPixelAndByHowThePatchIsTurned)
 {
   vtkMTGraph graph = MTRandomGraph::Make(4, 300);
-  vtkMTMeasure measure{ "mean normal deviation", std::vector<double>(graph.Nodes.size(), 1.0) };
+  vtkMTMeasure measure{ vtkMTMeasure::MeanNormalDeviation, std::vector<double>(graph.Nodes.size(), 1.0) };
   graph.Measures.push_back(measure);
   std::array<std::size_t, 3> cases{ 0, 0, 0 };
   for (const vtkMTView& view : MTViews::MakeRandom(2, 24))
@@ -83,7 +83,7 @@ TEST(ExtractionView, NormalsCountWhileEdgesExceedAPixelAndByHowThePatchIsTurned)
 TEST(ExtractionView, AtOnePixelNormalsRefineNoMoreThanDistanceAndEdges)
 {
   vtkMTGraph graph = MTRandomGraph::Make(5, 300);
-  vtkMTMeasure measure{ "mean normal deviation", {} };
+  vtkMTMeasure measure{ vtkMTMeasure::MeanNormalDeviation, {} };
   for (const vtkMTNode& node : graph.Nodes)
   {
     measure.Values.push_back(0.1 * node.Level);

@@ -26,8 +26,8 @@ public:
   void ReadLine(std::string_view line)
   {
     Words words = vtkMTVerifyText::Split(line); // a comment begins a word: "1.#QNAN" has none
-    words.erase(std::find_if(words.begin(), words.end(), [](std::string_view word) { return word[0] == '#'; }),
-      words.end());
+    words.erase(
+      std::find_if(words.begin(), words.end(), [](std::string_view word) { return word[0] == '#'; }), words.end());
     const std::string_view keyword = words.empty() ? std::string_view() : words[0];
     if (keyword == "v")
     {

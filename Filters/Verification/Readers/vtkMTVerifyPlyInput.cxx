@@ -2,12 +2,14 @@
 #include "vtkMTVerifyPlyInput.h"
 
 #include "vtkMTVerifyMesh.h"
+#include "vtkMTVerifyPlyColors.h"
 #include "vtkMTVerifyText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -198,17 +200,12 @@ const std::vector<Group> Groups = { { "Normals", vtkMTVerifyMesh::Normals, { "nx
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "texture_u", "texture_v" } },
   { "TCoords", vtkMTVerifyMesh::Coordinates, { "texture_s", "texture_t" } } };
 
-// A column of an array: which property, and what its values are divided by.
+// A column of an array: which property, of which type.
 struct Source
 {
   std::size_t Property;
-  double Unit;
+  std::string Type;
 };
-
-double GetUnit(const std::string& type)
-{
-  return type[0] == 'f' || type[0] == 'd' ? 1.0 : (GetSize(type) == 2 ? 65535.0 : 255.0);
-}
 
 class Columns
 {
@@ -243,8 +240,7 @@ public:
         const std::size_t p = find(name);
         if (p < taken.size())
         {
-          const bool isColor = group.Kind == vtkMTVerifyMesh::Colors;
-          sources.push_back({ p, isColor ? GetUnit(element.Properties[p].Type) : 1.0 });
+          sources.push_back({ p, element.Properties[p].Type });
         }
       }
       if (sources.size() == group.Names.size())
@@ -257,7 +253,7 @@ public:
     {
       if (!taken[p] && element.Properties[p].CountType.empty())
       {
-        this->Add(element.Properties[p].Name, vtkMTVerifyMesh::Plain, isOfCells, { { p, 1.0 } });
+        this->Add(element.Properties[p].Name, vtkMTVerifyMesh::Plain, isOfCells, { { p, {} } });
       }
     }
   }
@@ -268,7 +264,22 @@ public:
     {
       for (const Source& source : this->Sources[a])
       {
-        this->Mesh.Arrays[this->First[a]].Values.push_back(row.Values[source.Property] / source.Unit);
+        this->Mesh.Arrays[this->First[a]].Values.push_back(row.Values[source.Property]);
+      }
+    }
+  }
+
+  // Behind the last row: only then is it known what the values of a colour count to.
+  void ScaleColors()
+  {
+    for (std::size_t a = 0; a < this->Sources.size(); ++a)
+    {
+      if (this->Mesh.Arrays[this->First[a]].Kind == vtkMTVerifyMesh::Colors)
+      {
+        std::vector<std::string> types;
+        std::transform(this->Sources[a].begin(), this->Sources[a].end(), std::back_inserter(types),
+          [](const Source& source) { return source.Type; });
+        vtkMTVerifyPlyColors::Scale(types, this->Mesh.Arrays[this->First[a]].Values);
       }
     }
   }
@@ -333,6 +344,7 @@ bool ReadVertices(const Element& element, Body& body, vtkMTVerifyMesh& mesh, std
     mesh.Points.push_back({ row.Values[p[0]], row.Values[p[1]], row.Values[p[2]] });
     columns.Append(row);
   }
+  columns.ScaleColors();
   return true;
 }
 
@@ -365,6 +377,7 @@ bool ReadFaces(const Element& element, Body& body, vtkMTVerifyMesh& mesh, std::s
     mesh.Polygons.push_back(ids);
     columns.Append(row);
   }
+  columns.ScaleColors();
   return true;
 }
 }

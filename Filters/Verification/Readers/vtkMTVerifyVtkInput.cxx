@@ -17,6 +17,7 @@
 #include "vtkIdList.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -36,6 +37,16 @@ void KeepMessage(vtkObject*, unsigned long, void* client, void* text)
   *error = error->empty() && text ? static_cast<const char*>(text) : *error;
 }
 
+// That VTK lacks the module which defines a key of an array's information changes nothing that is checked.
+void PassWarning(vtkObject*, unsigned long, void*, void* text)
+{
+  const std::string message = text ? static_cast<const char*>(text) : "";
+  if (message.find("Could not locate key ") == std::string::npos)
+  {
+    vtkOutputWindowDisplayWarningText(message.c_str());
+  }
+}
+
 template <class Reader>
 vtkSmartPointer<vtkDataObject> ReadBy(const std::string& path, std::string& error)
 {
@@ -45,6 +56,9 @@ vtkSmartPointer<vtkDataObject> ReadBy(const std::string& path, std::string& erro
   keep->SetClientData(&error);
   reader->AddObserver(vtkCommand::ErrorEvent, keep);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keep);
+  vtkNew<vtkCallbackCommand> pass;
+  pass->SetCallback(PassWarning);
+  reader->AddObserver(vtkCommand::WarningEvent, pass);
   reader->SetFileName(path.c_str());
   reader->Update();
   return reader->GetOutputDataObject(0);

@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -234,10 +235,16 @@ void vtkMTGltfArrays::Allocate(vtkIdType points)
   }
 }
 
-void vtkMTGltfArrays::FillMissing(const Column& column, vtkIdType first, vtkIdType count)
+// Colours are those of the material: what a viewer shows where there are no colours of points.
+void vtkMTGltfArrays::FillMissing(
+  const Column& column, const vtkMTGltfMaterials& materials, int material, vtkIdType first, vtkIdType count)
 {
-  const double value = column.What == Kind::Color ? 255.0 : 0.0;
-  const std::vector<double> tuple(column.Components, value);
+  std::vector<double> tuple(column.Components, 0.0);
+  if (column.What == Kind::Color)
+  {
+    const std::array<unsigned char, 4> color = materials.GetColor(material);
+    std::copy_n(color.begin(), std::min(tuple.size(), color.size()), tuple.begin());
+  }
   for (vtkIdType i = first; i < first + count; ++i)
   {
     column.Array->SetTuple(i, tuple.data());
@@ -252,7 +259,8 @@ void vtkMTGltfArrays::Fill(vtkMTGltfFile& file, vtkMTGltfPrimitive& primitive, c
     const auto found = primitive.GetAttributes().find(name);
     if (found == primitive.GetAttributes().end())
     {
-      FillMissing(column, first, static_cast<vtkIdType>(primitive.GetNumberOfPoints()));
+      FillMissing(
+        column, materials, primitive.GetMaterial(), first, static_cast<vtkIdType>(primitive.GetNumberOfPoints()));
       continue;
     }
     const std::size_t components = found->second.GetComponents();

@@ -63,7 +63,8 @@ private:
   static Kind FindKind(const std::string& name);
   static int FindType(Kind kind, const vtkMTGltfAccessor& accessor);
   static int Unite(int a, int b);
-  static void FillMissing(const Column& column, vtkIdType first, vtkIdType count);
+  static void FillMissing(
+    const Column& column, const vtkMTGltfMaterials& materials, int material, vtkIdType first, vtkIdType count);
 
   std::map<std::string, Column> Columns;
   std::size_t Primitives = 0;

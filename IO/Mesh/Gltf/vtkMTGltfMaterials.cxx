@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTGltfMaterials.h"
 
+#include "vtkMTIdNames.h"
+
 #include "vtkDataArray.h"
-#include "vtkLookupTable.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
-#include "vtkVariantArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,31 +101,35 @@ const std::vector<std::string>& vtkMTGltfMaterials::GetOtherTextures()
   return names;
 }
 
+std::array<unsigned char, 4> vtkMTGltfMaterials::GetColor(int material) const
+{
+  const std::array<double, 4> color =
+    material < 0 ? Material().Color : this->Materials[static_cast<std::size_t>(material)].Color;
+  std::array<unsigned char, 4> bytes{};
+  std::transform(color.begin(), color.end(), bytes.begin(),
+    [](double value) { return static_cast<unsigned char>(std::floor(255.0 * std::clamp(value, 0.0, 1.0) + 0.5)); });
+  return bytes;
+}
+
 void vtkMTGltfMaterials::Describe(vtkDataArray* ids, bool hasCellsWithout) const
 {
-  vtkNew<vtkVariantArray> values;
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkLookupTable> table;
-  const auto count = static_cast<vtkIdType>(this->Materials.size());
-  table->SetNumberOfTableValues(count + (hasCellsWithout ? 1 : 0));
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<std::string> names;
+  std::vector<vtkMTIdNames::Color> colors;
+  std::vector<double> values;
+  const auto add = [&](const std::string& name, const std::array<double, 4>& color, double value)
   {
-    const Material& material = this->Materials[static_cast<std::size_t>(i)];
-    values->InsertNextValue(static_cast<int>(i));
-    names->InsertNextValue(material.Name);
-    double color[4];
-    std::transform(
-      material.Color.begin(), material.Color.end(), color, [](double value) { return std::clamp(value, 0.0, 1.0); });
-    table->SetTableValue(i, color);
+    names.push_back(name);
+    colors.push_back(
+      { std::clamp(color[0], 0.0, 1.0), std::clamp(color[1], 0.0, 1.0), std::clamp(color[2], 0.0, 1.0) });
+    values.push_back(value);
+  };
+  for (const Material& material : this->Materials)
+  {
+    add(material.Name, material.Color, static_cast<double>(values.size()));
   }
   if (hasCellsWithout)
   {
-    values->InsertNextValue(-1);
-    names->InsertNextValue("no material");
-    table->SetTableValue(count, 1.0, 1.0, 1.0, 1.0);
+    add("no material", Material().Color, -1.0);
   }
-  table->SetAnnotations(values, names);
-  table->IndexedLookupOn();
-  table->SetTableRange(hasCellsWithout ? -1.0 : 0.0, static_cast<double>(std::max<vtkIdType>(count - 1, 0)));
-  ids->SetLookupTable(table);
+  ids->SetLookupTable(vtkMTIdNames::MakeTable(names, colors, values));
 }

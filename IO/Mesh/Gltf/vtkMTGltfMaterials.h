@@ -46,6 +46,8 @@ public:
   explicit vtkMTGltfMaterials(const vtkMTGltfFile& file);
 
   const std::vector<Material>& GetMaterials() const { return this->Materials; }
+  /// The base colour of a material, linear as the file has it; white of none (-1).
+  std::array<unsigned char, 4> GetColor(int material) const;
 
   /// How the coordinates of this set are transformed on this material (-1: none).
   TextureTransform FindTransform(int material, const std::string& attribute) const;

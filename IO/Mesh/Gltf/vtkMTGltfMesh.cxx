@@ -284,12 +284,7 @@ void vtkMTGltfMesh::AddBaseColors(const std::vector<int>& used, vtkPolyData* out
   std::map<int, std::array<unsigned char, 4>> bytes;
   for (const int id : used)
   {
-    bytes[id].fill(255);
-    for (std::size_t c = 0; c < 4 && id >= 0; ++c)
-    {
-      const double value = std::clamp(all[static_cast<std::size_t>(id)].Color[c], 0.0, 1.0);
-      bytes[id][c] = static_cast<unsigned char>(std::floor(255.0 * value + 0.5));
-    }
+    bytes[id] = this->Materials.GetColor(id);
   }
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetName("BaseColor");

@@ -82,7 +82,9 @@ bool vtkMTStlText::ReadLine(std::string_view line)
   }
   if (keyword.substr(0, 3) == "end")
   {
-    const std::string_view rest = keyword == "end" ? vtkMTTextFormat::NextToken(line) : token.substr(3);
+    const bool isSplit = keyword == "end";
+    const std::string_view rest = isSplit ? vtkMTTextFormat::NextToken(line) : token.substr(3);
+    vtkMTInputReports::Add("split_keywords", isSplit ? 1 : 0, this->Report);
     return this->ReadEnd(vtkMTTextFormat::ToLower(rest.substr(0, 20)));
   }
   const bool isLoop = keyword == "outer" || keyword == "outerloop" || keyword == "loop";

@@ -163,6 +163,7 @@ bool vtkMTVtkReader::ReadXml(
   }
   vtkMTErrorCollector errors;
   errors.ObserveOutputWindow(false); // the readers of blocks cannot be observed
+  vtkMTErrorCollector::IgnoreUnknownKeys(reader);
   reader->SetReaderErrorObserver(errors.GetCommand());
   reader->SetParserErrorObserver(errors.GetCommand());
   std::string text;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTXmlArrays.h"
 
+#include "vtkMTErrorCollector.h"
 #include "vtkMTFileByteSource.h"
 
 #include "vtkAbstractArray.h"
@@ -130,6 +131,7 @@ vtkXMLDataElement* vtkMTXmlArrays::GetRoot() const
 vtkSmartPointer<vtkAbstractArray> vtkMTXmlArrays::MakeArray(vtkXMLDataElement* element)
 {
   const auto maker = vtkSmartPointer<ArrayMaker>::New();
+  vtkMTErrorCollector::IgnoreUnknownKeys(maker);
   return vtkSmartPointer<vtkAbstractArray>::Take(maker->CreateArray(element));
 }
 

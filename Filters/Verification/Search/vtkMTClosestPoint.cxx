@@ -73,6 +73,7 @@ vtkMTClosestPoint::vtkMTClosestPoint(const vtkMTSampledSurface& surface)
   this->Boxes.resize((std::size_t(2) << this->Depth) - 1);
   this->Split();
   this->Fit();
+  this->FitOriented();
 }
 
 // Where the triangles of a node begin in Order; those of the next node are behind them.
@@ -146,6 +147,32 @@ void vtkMTClosestPoint::Fit()
       }
     }
   }
+}
+
+// Where there are no needles, straight boxes are all that is needed.
+void vtkMTClosestPoint::FitOriented()
+{
+  if (!this->Pieces.HasNeedles())
+  {
+    return;
+  }
+  this->Oriented.Fit(this->Boxes,
+    [this](std::size_t node, const std::function<void(const vtkMTRealPoint&)>& add)
+    {
+      int depth = 0;
+      while ((std::size_t(2) << depth) - 1 <= node)
+      {
+        ++depth;
+      }
+      const std::size_t place = node + 1 - (std::size_t(1) << depth);
+      for (std::size_t i = this->Begin(depth, place); i < this->Begin(depth, place + 1); ++i)
+      {
+        for (const vtkMTRealPoint& corner : this->Pieces.GetCorners(this->Order[i]).P)
+        {
+          add(corner);
+        }
+      }
+    });
 }
 
 // Thousands of equal triangles have one barycentre, so that no box tells them apart: they lie together in Order, in
@@ -240,7 +267,13 @@ vtkMTClosestPoint::Result vtkMTClosestPoint::Find(const vtkMTRealPoint& x, std::
   Entry stack[128];
   int top = 0;
   const vtkMTRealPoint turned = this->Pieces.GetAxes().Apply(x);
-  stack[top++] = { 0, BoxDistance2(turned, this->Boxes[0]) };
+  const auto enter = [&](std::size_t node)
+  {
+    const double straight = BoxDistance2(turned, this->Boxes[node]);
+    const bool isFar = straight > best.Distance2;
+    return Entry{ node, isFar ? straight : std::max(straight, this->Oriented.GetDistance2(node, turned)) };
+  };
+  stack[top++] = enter(0);
   while (top > 0)
   {
     const Entry entry = stack[--top];
@@ -253,8 +286,8 @@ vtkMTClosestPoint::Result vtkMTClosestPoint::Find(const vtkMTRealPoint& x, std::
       this->SearchLeaf(x, entry.Node - firstLeaf, best);
       continue;
     }
-    Entry near = { 2 * entry.Node + 1, BoxDistance2(turned, this->Boxes[2 * entry.Node + 1]) };
-    Entry far = { 2 * entry.Node + 2, BoxDistance2(turned, this->Boxes[2 * entry.Node + 2]) };
+    Entry near = enter(2 * entry.Node + 1);
+    Entry far = enter(2 * entry.Node + 2);
     if (far.Distance2 < near.Distance2)
     {
       std::swap(near, far);

@@ -37,13 +37,16 @@ public:
   /// Whether two pieces have the same corners in the same order, and so do their triangles.
   bool AreEqual(std::uint32_t a, std::uint32_t b) const;
 
-private:
   struct Corners
   {
     vtkMTRealPoint P[3];
   };
-
+  /// Of the piece, in the turned surface.
   Corners GetCorners(std::uint32_t piece) const;
+  /// Whether triangles are so long that they were divided.
+  bool HasNeedles() const { return !this->Parts.empty(); }
+
+private:
   double GetMeanSize() const;
   double GetLongest() const;
   std::size_t CountDivisions(double threshold) const;
