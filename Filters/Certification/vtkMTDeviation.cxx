@@ -64,7 +64,10 @@ public:
     this->BoundFloor(overlay);
     this->BoundFragment(overlay.FindCovered());
     this->Gather(findings);
-    this->GatherPairs(overlay, findings.Pairs);
+    if (findings.KeepPairs)
+    {
+      this->GatherPairs(overlay, findings.Pairs);
+    }
   }
 
 private:

@@ -74,6 +74,7 @@ struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
   /// What is known of the fragment afterwards.
   struct Findings
   {
+    bool KeepPairs = false; ///< given: whether Pairs are wanted
     std::vector<Pair> Pairs;
     std::vector<vtkMTTriangleDeviation> Deviations; ///< [fragment's triangles]
     std::vector<std::uint32_t> FloorTriangle; ///< [fragment's triangles] one of the floor that lies over or near it

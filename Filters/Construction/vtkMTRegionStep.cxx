@@ -209,18 +209,29 @@ void vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&
   const vtkMTSurface floorSurface(floor, origin);
   const vtkMTSurface fragmentSurface(mesh, origin);
   vtkMTDeviation::Findings findings;
+  findings.KeepPairs = context.CertifyNormals;
   this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
   this->EdgeLength = mesh.GetMeanEdgeLength();
   this->RoundPoints(findings.Deviations);
   simplification.Points = mesh.Points;
   const std::vector<vtkMTArrayInfo>& arrays = *context.Arrays;
   vtkMTAttributeTransfer::Run({ floor, floorSurface, fragmentSurface, simplification, findings }, arrays, mesh);
-  const vtkMTShadingNormals shading(arrays);
+  if (context.CertifyNormals)
+  {
+    this->CertifyNormals(floor, floorSurface, fragmentSurface, relation, context, findings);
+  }
+  this->Fragment.Deviations = std::move(findings.Deviations);
+}
+
+void vtkMTRegionStep::CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface,
+  const vtkMTSurface& fragmentSurface, const vtkMTDeviation::Relation& relation, const Context& context,
+  vtkMTDeviation::Findings& findings)
+{
+  const vtkMTShadingNormals shading(*context.Arrays);
   const std::vector<std::array<float, 3>> floorNormals = shading.Get(floor);
-  const std::vector<std::array<float, 3>> normals = shading.Get(mesh);
+  const std::vector<std::array<float, 3>> normals = shading.Get(this->Fragment.Mesh);
   this->NormalDeviation = vtkMTNormalDeviation::Add({ floorSurface, floorNormals }, { fragmentSurface, normals },
     { relation.FloorDeviations, context.FloorLevel == 0, shading.GetRounding() }, findings);
-  this->Fragment.Deviations = std::move(findings.Deviations);
 }
 
 void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations)

@@ -26,10 +26,10 @@ public:
   {
     std::uint32_t Level;
     std::uint32_t Region;
-    double Error;                     // steps
-    double EdgeLength;                // steps
-    double NormalDeviation = 0.0;     // radians
-    double MeanNormalDeviation = 0.0; // radians
+    double Error;                  // steps
+    double EdgeLength;             // steps
+    double NormalDeviation = -1.0; // radians; below 0: not certified
+    double MeanNormalDeviation = -1.0;
   };
 
   struct ArcRecord

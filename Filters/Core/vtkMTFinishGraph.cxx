@@ -38,8 +38,11 @@ std::vector<std::uint32_t> MakeNodes(const std::vector<vtkMTBuildState::NodeReco
     mean.Values[i + 1] = record.MeanNormalDeviation;
     nodeOf[order[i]] = i + 1;
   }
-  graph.Measures.push_back(std::move(largest));
-  graph.Measures.push_back(std::move(mean));
+  if (!records.empty() && records[0].NormalDeviation >= 0.0)
+  {
+    graph.Measures.push_back(std::move(largest));
+    graph.Measures.push_back(std::move(mean));
+  }
   return nodeOf;
 }
 }

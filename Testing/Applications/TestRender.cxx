@@ -119,7 +119,7 @@ TEST_F(Render, WhatVtkCannotDrawIsRefusedWithTheReasonAndNotDrawnEmpty)
 
 TEST_F(Render, ASmallerPixelErrorDrawsMoreAndABudgetIsKept)
 {
-  this->MakeModel(20480);
+  this->MakeModel(20480, 200, { "--certify-normals" });
   const auto render = [this](const std::vector<std::string>& more)
   {
     std::vector<std::string> call = { "render", this->Path("sphere.bmt"), "-o", this->Path("picture.png"), "--size",

@@ -75,7 +75,7 @@ protected:
 
 TEST_F(Verify, AnglesThatAreTooSmallAreFound)
 {
-  this->MakeModel(20480);
+  this->MakeModel(5120, 100, { "--certify-normals" });
   const auto scale = [](double by)
   {
     return [by](vtkMTGraph& graph)

@@ -107,7 +107,7 @@ public:
     this->Renderer->SetBackground(0.0, 0.0, 1.0);
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
-    this->Window->SetSize(options.Size.data());
+    this->Window->SetSize(options.Size[0], options.Size[1]);
     this->Window->AddRenderer(this->Renderer);
     this->Mapper->SetPixelError(0.0);
     for (int view = 0; view < options.Views; ++view)

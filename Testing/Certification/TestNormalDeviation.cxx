@@ -204,6 +204,7 @@ double Certify(const vtkMTPatch& floor, const Normals& floorNormals, const vtkMT
   const vtkMTSurface fragmentSurface(fragment, origin);
   vtkMTDeviation::Relation relation;
   relation.FloorDeviations = known;
+  findings.KeepPairs = true;
   vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings);
   return vtkMTNormalDeviation::Add(
     { floorSurface, floorNormals }, { fragmentSurface, normals }, { known, true, rounding }, findings)
