@@ -153,8 +153,9 @@ public:
    * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
    * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; or the normal deviation: the
    * certified distance, and where that is more, the mean edge length by how far normals deviate, as
-   * vtkMTTargetCut describes it: triangles are spent where they show. Models without that measure are drawn by the
-   * larger one of the two others. Other values are clamped.
+   * vtkMTTargetCut describes it: triangles are spent where they show. Models without that measure, for
+   * which the build must be asked (vtkMultiTriangulationBuilder::CertifyNormals), are drawn by the larger one of the two
+   * others. Other values are clamped.
    */
   vtkSetClampMacro(ErrorMetric, int, DISTANCE, NORMAL_DEVIATION);
   vtkGetMacro(ErrorMetric, int);
