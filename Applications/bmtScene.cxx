@@ -23,9 +23,6 @@
 #include <cstdlib>
 #include <map>
 
-//------------------------------------------------------------------------------
-// Options
-
 namespace
 {
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
@@ -86,6 +83,9 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
       "--pixel-error", options.PixelError, "How far the picture of the surface may be from the input's, in pixels")
     ->check(CLI::Range(0.0, 1e9))
     ->capture_default_str();
+  const std::map<std::string, int> metrics{ { "distance", 0 }, { "edges", 1 }, { "normals", 2 } };
+  command.add_option("--metric", options.Metric, "The error: distance (certified), edges (mean length) or normals")
+    ->transform(CLI::CheckedTransformer(metrics));
   command.add_option("--budget", options.Budget, "Triangles drawn at most; 0: no limit")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
@@ -93,9 +93,6 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
   command.add_option(
     "--texture", options.Texture, "An image (PNG, JPEG) for the whole mesh, by its texture coordinates");
 }
-
-//------------------------------------------------------------------------------
-// Scene
 
 bmtScene::bmtScene(const bmtSceneOptions& options)
 {
@@ -116,6 +113,7 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
+  this->Mapper->SetErrorMetric(options.Metric);
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);

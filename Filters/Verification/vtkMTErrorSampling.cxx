@@ -28,20 +28,6 @@ vtkMTSampledSurface LeaveOutFar(const vtkMTGraph& graph, vtkMTSampledSurface inp
   return input;
 }
 
-// The cut whose patches are those of one level: everything coarser is refined.
-vtkMTCut MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
-{
-  vtkMTCut cut(graph);
-  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
-  {
-    if (graph.Nodes[node].Level > level && !cut.IsRefined(node))
-    {
-      cut.RefineWithDependencies(node);
-    }
-  }
-  return cut;
-}
-
 double GetLargestError(const vtkMTGraph& graph, const std::vector<std::uint32_t>& arcs)
 {
   double error = 0.0;
@@ -95,6 +81,19 @@ vtkMTErrorSampling::vtkMTErrorSampling(
 }
 
 vtkMTErrorSampling::~vtkMTErrorSampling() = default;
+
+vtkMTCut vtkMTErrorSampling::MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
+{
+  vtkMTCut cut(graph);
+  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+  {
+    if (graph.Nodes[node].Level > level && !cut.IsRefined(node))
+    {
+      cut.RefineWithDependencies(node);
+    }
+  }
+  return cut;
+}
 
 bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const vtkMTVerificationProgress& progress,
   CutSurface& cut, std::string& error) const

@@ -144,18 +144,24 @@ public:
   enum ErrorMetricType
   {
     DISTANCE = 0,
-    EDGE_LENGTH = 1
+    EDGE_LENGTH = 1,
+    NORMAL_DEVIATION = 2
   };
 
   ///@{
   /**
    * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
-   * is, or the mean edge length (BMT section 5.1), which says how finely it can be shaded. Other values are clamped.
+   * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; or the normal deviation: the
+   * certified distance, and where that is more, the mean edge length by how far normals deviate, as
+   * vtkMTTargetCut describes it: triangles are spent where they show. Models without that measure, for
+   * which the build must be asked (vtkMultiTriangulationBuilder::CertifyNormals), are drawn by the larger one of the two
+   * others. Other values are clamped.
    */
-  vtkSetClampMacro(ErrorMetric, int, DISTANCE, EDGE_LENGTH);
+  vtkSetClampMacro(ErrorMetric, int, DISTANCE, NORMAL_DEVIATION);
   vtkGetMacro(ErrorMetric, int);
   void SetErrorMetricToDistance() { this->SetErrorMetric(DISTANCE); }
   void SetErrorMetricToEdgeLength() { this->SetErrorMetric(EDGE_LENGTH); }
+  void SetErrorMetricToNormalDeviation() { this->SetErrorMetric(NORMAL_DEVIATION); }
   ///@}
 
   ///@{

@@ -298,6 +298,39 @@ vtkMTClosestPoint::Result vtkMTClosestPoint::Find(const vtkMTRealPoint& x, std::
   return best;
 }
 
+void vtkMTClosestPoint::VisitWithin(
+  const vtkMTRealPoint& x, double radius, const std::function<bool(std::uint32_t triangle)>& visit) const
+{
+  const std::size_t firstLeaf = (std::size_t(1) << this->Depth) - 1;
+  const vtkMTRealPoint turned = this->Pieces.GetAxes().Apply(x);
+  const double radius2 = radius * radius;
+  std::vector<std::size_t> stack(this->Order.empty() ? 0 : 1, 0);
+  while (!stack.empty())
+  {
+    const std::size_t node = stack.back();
+    stack.pop_back();
+    if (BoxDistance2(turned, this->Boxes[node]) > radius2)
+    {
+      continue;
+    }
+    if (node < firstLeaf)
+    {
+      stack.push_back(2 * node + 2);
+      stack.push_back(2 * node + 1);
+      continue;
+    }
+    const std::size_t end = this->Begin(this->Depth, node - firstLeaf + 1);
+    for (std::size_t i = this->Begin(this->Depth, node - firstLeaf); i < end; ++i)
+    {
+      const std::uint32_t triangle = this->Pieces.GetTriangle(this->Order[i]);
+      if (this->GetTriangleDistance2(x, triangle) <= radius2 && !visit(triangle))
+      {
+        return;
+      }
+    }
+  }
+}
+
 bool vtkMTClosestPoint::Measure(const std::vector<vtkMTRealPoint>& points, std::vector<double>& distances,
   std::vector<std::uint32_t>* nearest, const Progress& progress) const
 {

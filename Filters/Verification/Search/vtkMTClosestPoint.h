@@ -46,6 +46,11 @@ public:
   /// else.
   Result Find(const vtkMTRealPoint& x, std::uint32_t hint = NoTriangle) const;
 
+  /// Calls visit with the triangles that have a point within the radius, one with several pieces more than once, until
+  /// it returns false.
+  void VisitWithin(
+    const vtkMTRealPoint& x, double radius, const std::function<bool(std::uint32_t triangle)>& visit) const;
+
   /// Is told the share that is done, from the calling thread; returns false to stop.
   using Progress = std::function<bool(double share)>;
 
