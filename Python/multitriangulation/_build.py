@@ -104,6 +104,7 @@ _SETTINGS = {
     "values": _add_all("AddValueArrayName"),
     "ids": _set("SetKeepIds"),
     "exact": _set("SetExactPoints"),
+    "certify_normals": _set("SetCertifyNormals"),
     "keep_far_outliers": _set("SetKeepFarOutliers"),
     "normals": _set("SetMakeNormals"),
     "resume": _set("SetResume"),
@@ -112,7 +113,7 @@ _SETTINGS = {
 # Those that mean something for a mesh that is in memory.
 _OF_MESHES = {
     "partition", "simplifier", "memory", "patch_triangles", "lattice_bits", "threads", "feature_angle", "labels", "values",
-    "exact", "keep_far_outliers", "normals",
+    "exact", "certify_normals", "keep_far_outliers", "normals",
 }
 
 

@@ -82,8 +82,8 @@ def actor(
 
     model: what `read` or `build` gave, or the name of a file.
     pixel_error: how far the picture of the surface may be from the input's, in pixels; 0: as fine as it is stored.
-    metric: what that is compared with: "distance" (certified), "edges" (mean edge length) or "normals" (normal deviation,
-    where the toolkit has it).
+    metric: what that is compared with: "distance" (certified), "edges" (mean edge length) or "normals" (normal
+    deviation, where the model was built with certify_normals=True).
     triangles: at most so many in a frame; 0: no limit.
     color_by: the name of an array, "level", "patch" or "error"; None: the model's own colours where it has some.
     component: of arrays with several, from 0; None: the magnitude.

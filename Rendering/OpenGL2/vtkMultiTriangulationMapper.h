@@ -32,11 +32,10 @@
  * Arrays that are not part of the model, because a filter has added them, have values on its coarsest cut alone: they
  * are not drawn, and a warning says so once. Elevations can be, by SetColorByElevation.
  *
- * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
- * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
- * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers look at the input's
- * own cells, which are the coarsest cut's; its cell data has the input's cell ids. With a vtkMultiTriangulationLocator
- * vtkCellPicker picks in what was drawn, and its cell ids are the input's.
+ * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them, and otherwise the place of the
+ * triangle in the arena, which means nothing outside of it; for points, the values of the array that
+ * SetPointIdArrayName names. Software pickers look at the coarsest cut; its cell data has the input's cell ids. With a
+ * vtkMultiTriangulationLocator vtkCellPicker picks in what was drawn, and its cell ids are the input's.
  *
  * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTTargetCut
  */
@@ -151,11 +150,9 @@ public:
   ///@{
   /**
    * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
-   * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; or the normal deviation: the
-   * certified distance, and where that is more, the mean edge length by how far normals deviate, as
-   * vtkMTTargetCut describes it: triangles are spent where they show. Models without that measure, for
-   * which the build must be asked (vtkMultiTriangulationBuilder::CertifyNormals), are drawn by the larger one of the two
-   * others. Other values are clamped.
+   * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; or the normal deviation, which
+   * spends triangles where shading shows them (vtkMTTargetCut says how). Models that were not built with
+   * CertifyNormals lack it and are drawn by the larger one of the two others. Other values are clamped.
    */
   vtkSetClampMacro(ErrorMetric, int, DISTANCE, NORMAL_DEVIATION);
   vtkGetMacro(ErrorMetric, int);
@@ -250,9 +247,8 @@ public:
 
   ///@{
   /**
-   * Bytes of patches in main memory, those that are being loaded and what decoding them takes included: never more.
-   * Default 512 MiB; negative values are clamped to 0. A patch that does not fit the limit while it is read is not
-   * drawn, its coarser one is, and an error is reported.
+   * Bytes of patches in main memory, with what loading takes: never more. Default 512 MiB; negative values are clamped
+   * to 0. Of a patch that does not fit while it is read the coarser one is drawn, and an error is reported.
    */
   vtkSetClampMacro(PatchMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(PatchMemoryLimit, vtkIdType);
