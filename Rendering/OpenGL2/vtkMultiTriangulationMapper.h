@@ -326,10 +326,8 @@ public:
   double GetLongestLock();
   ///@}
 
-  /**
-   * The mesh of the cut of the last frame, welded, culled patches included, with all arrays. False, with an error
-   * event, when nothing has been drawn yet or a patch cannot be read.
-   */
+  /// The mesh of the cut of the last frame, welded, culled patches included, with all arrays. False, with an error
+  /// event, when nothing has been drawn yet or a patch cannot be read.
   bool GetCut(vtkPolyData* output);
 
   /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
