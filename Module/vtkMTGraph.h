@@ -103,8 +103,8 @@ struct vtkMTMeasure
   /// normal is within the angle, and the other way round. Of the normals as they are in the model, at its finest level;
   /// of the triangles where it has none. Models of earlier versions of the builder do not have it.
   static constexpr const char* NormalDeviation = "normal deviation";
-  /// The name of the mean of these certified angles over a fragment, each of its triangles with its own one, weighted by
-  /// area: it tells nodes apart where the largest angle has long been a straight one.
+  /// The name of the mean of these certified angles over a fragment, each of its triangles with its own one, weighted
+  /// by area: it tells nodes apart where the largest angle has long been a straight one.
   static constexpr const char* MeanNormalDeviation = "mean normal deviation";
 
   std::string Name;
