@@ -25,6 +25,8 @@
 
 namespace
 {
+const std::vector<std::string> Metrics{ "distance", "edges", "normals" }; // by vtkMultiTriangulationMapper's numbers
+
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
 std::string ParseSize(const std::string& text, std::array<int, 2>& size)
 {
@@ -83,9 +85,9 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
       "--pixel-error", options.PixelError, "How far the picture of the surface may be from the input's, in pixels")
     ->check(CLI::Range(0.0, 1e9))
     ->capture_default_str();
-  const std::map<std::string, int> metrics{ { "distance", 0 }, { "edges", 1 }, { "normals", 2 } };
   command.add_option("--metric", options.Metric, "The error: distance (certified), edges (mean length) or normals")
-    ->transform(CLI::CheckedTransformer(metrics));
+    ->check(CLI::IsMember(Metrics))
+    ->capture_default_str();
   command.add_option("--budget", options.Budget, "Triangles drawn at most; 0: no limit")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
@@ -113,7 +115,8 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
-  this->Mapper->SetErrorMetric(options.Metric);
+  const auto metric = std::find(Metrics.begin(), Metrics.end(), options.Metric);
+  this->Mapper->SetErrorMetric(static_cast<int>(metric - Metrics.begin()));
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);

@@ -56,6 +56,7 @@ vtk_module_build(
   INSTALL_EXPORT MultiTriangulation
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/multitriangulation"
   CMAKE_DESTINATION "${MT_CMAKE_DESTINATION}"
+  TARGET_SPECIFIC_COMPONENTS ON
   USE_EXTERNAL OFF)
 
 # vtk_module_build has an argument for this, but takes a SOVERSION whose major number is 0 for none. Until 1.0 every minor
