@@ -25,8 +25,6 @@
 
 namespace
 {
-const std::vector<std::string> Metrics{ "distance", "edges", "normals" }; // by vtkMultiTriangulationMapper's numbers
-
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
 std::string ParseSize(const std::string& text, std::array<int, 2>& size)
 {
@@ -86,7 +84,7 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
     ->check(CLI::Range(0.0, 1e9))
     ->capture_default_str();
   command.add_option("--metric", options.Metric, "The error: distance (certified), edges (mean length) or normals")
-    ->check(CLI::IsMember(Metrics))
+    ->check(CLI::IsMember({ "distance", "edges", "normals" }))
     ->capture_default_str();
   command.add_option("--budget", options.Budget, "Triangles drawn at most; 0: no limit")
     ->check(CLI::NonNegativeNumber)
@@ -115,8 +113,7 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
-  const auto metric = std::find(Metrics.begin(), Metrics.end(), options.Metric);
-  this->Mapper->SetErrorMetric(static_cast<int>(metric - Metrics.begin()));
+  this->Mapper->SetErrorMetric(options.Metric == "normals" ? 2 : options.Metric == "edges" ? 1 : 0);
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
