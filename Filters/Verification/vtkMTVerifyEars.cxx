@@ -85,7 +85,7 @@ int vtkMTVerifyEars::FindShortestEar(const std::vector<Corner>& corners, bool is
   return best;
 }
 
-// Cuts the corner off.
+// Takes the corner off.
 void vtkMTVerifyEars::Cut(std::vector<Corner>& corners, std::size_t i, std::vector<vtkMTTriangle>& triangles)
 {
   const std::size_t n = corners.size();
