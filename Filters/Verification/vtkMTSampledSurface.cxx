@@ -33,6 +33,7 @@ void vtkMTSampledSurface::LeaveOutFar(const vtkMTGraph& graph)
       {
         this->Cells[kept] = this->Cells[t];
         this->Slack[kept] = this->Slack[t];
+        this->Mixed[kept] = this->Mixed[t];
       }
       ++kept;
     }
@@ -41,6 +42,7 @@ void vtkMTSampledSurface::LeaveOutFar(const vtkMTGraph& graph)
   this->Triangles.resize(kept);
   this->Cells.resize(std::min(kept, this->Cells.size()));
   this->Slack.resize(std::min(kept, this->Slack.size()));
+  this->Mixed.resize(std::min(kept, this->Mixed.size()));
 }
 
 vtkMTRealBounds vtkMTSampledSurface::GetBounds() const
