@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 
 namespace
 {
@@ -113,7 +112,9 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
-  this->Mapper->SetErrorMetric(options.Metric == "normals" ? 2 : options.Metric == "edges" ? 1 : 0);
+  using Metric = vtkMultiTriangulationMapper;
+  const int other = options.Metric == "edges" ? Metric::EDGE_LENGTH : Metric::DISTANCE;
+  this->Mapper->SetErrorMetric(options.Metric == "normals" ? Metric::NORMAL_DEVIATION : other);
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
