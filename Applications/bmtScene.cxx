@@ -20,10 +20,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <cstdlib>
 
 namespace
 {
+using Mapper = vtkMultiTriangulationMapper;
+
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
 std::string ParseSize(const std::string& text, std::array<int, 2>& size)
 {
@@ -112,9 +115,8 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
-  using Metric = vtkMultiTriangulationMapper;
-  const int other = options.Metric == "edges" ? Metric::EDGE_LENGTH : Metric::DISTANCE;
-  this->Mapper->SetErrorMetric(options.Metric == "normals" ? Metric::NORMAL_DEVIATION : other);
+  const int other = options.Metric == "edges" ? Mapper::EDGE_LENGTH : Mapper::DISTANCE;
+  this->Mapper->SetErrorMetric(options.Metric == "normals" ? Mapper::NORMAL_DEVIATION : other);
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
@@ -157,7 +159,6 @@ void bmtScene::RequireDisplay() const
 
 void bmtScene::SetColorBy(const std::string& what)
 {
-  using Mapper = vtkMultiTriangulationMapper;
   static const std::map<std::string, int> cuts{ { "level", Mapper::LEVEL }, { "patch", Mapper::PATCH },
     { "error", Mapper::ERROR_IN_PIXELS } };
   const auto cut = cuts.find(what);
