@@ -26,7 +26,6 @@
 namespace
 {
 using Mapper = vtkMultiTriangulationMapper;
-
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
 std::string ParseSize(const std::string& text, std::array<int, 2>& size)
 {
