@@ -185,7 +185,7 @@ public:
 
   ///@{
   /// Whether angles between shading normals are certified as well as distances, for the mapper's error metric
-  /// NORMAL_DEVIATION. Default off: it takes about a tenth of the time.
+  /// NORMAL_DEVIATION. Default off: it takes about a fifth of the time.
   void SetCertifyNormals(bool on);
   bool GetCertifyNormals() const;
   vtkBooleanMacro(CertifyNormals, bool);

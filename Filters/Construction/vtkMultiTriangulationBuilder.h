@@ -116,7 +116,7 @@ public:
   /**
    * Whether the angles between the shading normals of fragments and input are bounded as well as the distances
    * (vtkMTNormalDeviation): the model then has the measures that the mapper's error metric NORMAL_DEVIATION goes by
-   * (vtkMTMeasure::NormalDeviation). Default off: it takes about a tenth of the build's time.
+   * (vtkMTMeasure::NormalDeviation). Default off: it takes about a fifth of the build's time.
    */
   vtkSetMacro(CertifyNormals, bool);
   vtkGetMacro(CertifyNormals, bool);
