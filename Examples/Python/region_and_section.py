@@ -8,6 +8,7 @@ import sys
 
 import multitriangulation as mt
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkSphere
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 if __name__ == "__main__":
@@ -19,9 +20,9 @@ if __name__ == "__main__":
 
     ball = vtkSphere()
     ball.SetCenter(center[0], center[1], bounds[5])
-    ball.SetRadius(0.25 * size)
+    ball.SetRadius(0.15 * size)
     mapper, mesh = vtkPolyDataMapper(), vtkActor()
-    mapper.SetInputData(mt.cut(model, error=2e-3 * size, region=ball))
+    mapper.SetInputData(mt.cut(model, error=1e-3 * size, region=ball))
     mapper.ScalarVisibilityOff()
     mesh.SetMapper(mapper)
     mesh.GetProperty().EdgeVisibilityOn()
@@ -32,10 +33,11 @@ if __name__ == "__main__":
     section = mt.vtkMultiTriangulationSection()
     section.SetInputDataObject(model)
     section.SetImplicitFunction(plane)
-    lines, outline = vtkPolyDataMapper(), vtkActor()
-    lines.SetInputConnection(section.GetOutputPort())
+    tubes, lines, outline = vtkTubeFilter(), vtkPolyDataMapper(), vtkActor()
+    tubes.SetInputConnection(section.GetOutputPort())
+    tubes.SetRadius(0.004 * size)
+    lines.SetInputConnection(tubes.GetOutputPort())
     lines.ScalarVisibilityOff()
     outline.SetMapper(lines)
     outline.GetProperty().SetColor(1, 0.2, 0.1)
-    outline.GetProperty().SetLineWidth(4)
     mt.screenshot(mesh, outline, path=picture)
