@@ -22,7 +22,7 @@ set(MT_LAYERS_WITH_FOREIGN_LEAKS Rendering ApplicationsRender)
 add_custom_target(mt_thread_tests)
 set(MT_LAYERS_WITH_THREADS Partition Simplification FiltersCore Construction IO RenderingCore)
 
-# Sanitizers leave these out: what they run, smaller tests run as well, and instrumented they would take two thirds of a
+# Sanitizers leave these out: what they run, smaller tests run as well, and instrumented they took four tenths of a
 # stage's time. In the release build all tests run.
 set(MT_LEFT_OUT_BY_SANITIZERS)
 if (MT_SANITIZE)
