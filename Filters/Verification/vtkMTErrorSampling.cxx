@@ -107,16 +107,7 @@ bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const v
     {
       return false;
     }
-    const auto first = static_cast<std::uint32_t>(cut.Surface.Points.size());
-    for (const vtkMTPoint& point : patch.Points)
-    {
-      cut.Surface.Points.push_back(this->Frame.ToLocal(graph.Lattice.ToWorld(point)));
-    }
-    for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
-    {
-      const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
-      cut.Surface.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
-    }
+    cut.Surface.Append(patch, graph.Lattice, this->Frame);
     cut.PointNodes.resize(cut.Surface.Points.size(), graph.Arcs[arc].To);
     cut.TriangleNodes.resize(cut.Surface.Triangles.size(), graph.Arcs[arc].To);
   }

@@ -45,6 +45,20 @@ void vtkMTSampledSurface::LeaveOutFar(const vtkMTGraph& graph)
   this->Mixed.resize(std::min(kept, this->Mixed.size()));
 }
 
+void vtkMTSampledSurface::Append(const vtkMTPatch& patch, const vtkMTLattice& lattice, const vtkMTMeasuringFrame& frame)
+{
+  const auto first = static_cast<std::uint32_t>(this->Points.size());
+  for (const vtkMTPoint& point : patch.Points)
+  {
+    this->Points.push_back(frame.ToLocal(lattice.ToWorld(point)));
+  }
+  for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
+  {
+    const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
+    this->Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+  }
+}
+
 vtkMTRealBounds vtkMTSampledSurface::GetBounds() const
 {
   vtkMTRealBounds bounds;

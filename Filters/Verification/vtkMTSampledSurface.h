@@ -20,6 +20,7 @@
 #include <vector>
 
 class vtkMTGraph;
+struct vtkMTLattice;
 class vtkMTTriangleStream;
 
 struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
@@ -45,6 +46,9 @@ struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
   /// The builder leaves out what is far outside of everything else, where the graph's input report says so. What that
   /// is shows here by itself: it lies at least one extent outside of the model.
   void LeaveOutFar(const vtkMTGraph& graph);
+
+  /// Adds a patch, its points in the coordinates of the frame.
+  void Append(const vtkMTPatch& patch, const vtkMTLattice& lattice, const vtkMTMeasuringFrame& frame);
 
   vtkMTRealBounds GetBounds() const;
   void Transform(const vtkMTMeasuringFrame& frame);

@@ -201,15 +201,9 @@ bool vtkMTNormalSampling::Read(const std::vector<std::uint32_t>& arcs, const vtk
     {
       return false;
     }
-    const auto first = static_cast<std::uint32_t>(shaded.Surface.Points.size());
-    for (const vtkMTPoint& point : patch.Points)
-    {
-      shaded.Surface.Points.push_back(this->Frame.ToLocal(graph.Lattice.ToWorld(point)));
-    }
+    shaded.Surface.Append(patch, graph.Lattice, this->Frame);
     for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
     {
-      const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
-      shaded.Surface.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
       this->AddNormals(patch, i, shaded);
     }
     shaded.Nodes.resize(shaded.Surface.Triangles.size(), graph.Arcs[arc].To);
@@ -222,7 +216,7 @@ void vtkMTNormalSampling::AddNormals(const vtkMTPatch& patch, std::size_t triang
   Corners normals;
   if (this->Array < 0)
   {
-    const Corners x = shaded.GetCorners(static_cast<std::uint32_t>(shaded.Surface.Triangles.size() - 1));
+    const Corners x = shaded.GetCorners(static_cast<std::uint32_t>(shaded.Normals.size()));
     const vtkMTRealPoint across = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
     const double length = Length(across);
     for (int i = 0; i < 3; ++i)
