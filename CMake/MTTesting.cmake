@@ -45,6 +45,7 @@ if (MT_SANITIZE)
     MapperBudget*
     MapperLoading*
     MapperPasses*
+    MapperRate.MemoryOfAFrameStaysForTheNextOne
     MapperSharing.CullingInStereoChangesNoPixel
     MeshReader.CutFilesOfVtksFormatsAreNeverTakenForWhole
     MeshReader.RealMeshes*

@@ -243,8 +243,9 @@ public:
   /**
    * The most memory that the whole process may hold while it builds, in bytes; what it holds already counts. Default 0:
    * a quarter of the machine's, GetDefaultMemoryLimit. A limit that is too small is an error that names the least
-   * (MemoryLimitError). A limit that is set also has the C library give memory that is freed back to the system from
-   * then on (mallopt), as the process would seem larger than it is otherwise. No influence on the file.
+   * (MemoryLimitError). While it builds within a limit, the C library gives memory that is freed back to the system, as
+   * the process would seem larger than it is otherwise; after that it keeps up to 64 MiB of it (mallopt). No influence
+   * on the file.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
