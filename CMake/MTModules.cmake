@@ -8,7 +8,7 @@ foreach (folder IN ITEMS
     Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
     Rendering/Core
     IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General
-    Filters/Building)
+    Filters/Building Interaction/Viewer)
   if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
     continue ()
   endif ()
