@@ -135,11 +135,9 @@ public:
   vtkBooleanMacro(Prefetch, bool);
   ///@}
 
-  ///@{
   /// Threads that read and decode patches, from the next input on. Default 2; clamped to [1, 64].
   vtkSetClampMacro(NumberOfLoaderThreads, int, 1, 64);
   vtkGetMacro(NumberOfLoaderThreads, int);
-  ///@}
 
   enum ErrorMetricType
   {
@@ -179,12 +177,10 @@ public:
   vtkBooleanMacro(FacingCulling, bool);
   ///@}
 
-  ///@{
   /// Whether the cut stays what it is while the camera moves. Default off. Culling goes on.
   vtkSetMacro(FreezeCut, bool);
   vtkGetMacro(FreezeCut, bool);
   vtkBooleanMacro(FreezeCut, bool);
-  ///@}
 
   enum ColorByType
   {
@@ -241,6 +237,13 @@ public:
   void MapTextureToMaterial(const char* texture, int material, int part = -1);
   void RemoveTextureMappings();
   ///@}
+
+  /// Share number share, from 0, of count: what of the cut is drawn, where several processes that find the same cut
+  /// draw one picture. Shares are disjoint, about equal in triangles; number count is empty. Default 0 of 1: all.
+  /// Clamped: count to 1 or more, share to [0, count]. Figures are the share's. With WAIT_ALWAYS and a DrawingRate of
+  /// 1e15 the cut depends on nothing but the view.
+  void SetDrawnShare(int share, int count);
+  vtkGetVector2Macro(DrawnShare, int);
 
   ///@{
   /**
@@ -343,14 +346,11 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
-  ///@{
-  /// Called by VTK while it renders.
+  // Called by VTK while it renders.
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
-  ///@}
-
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
@@ -428,6 +428,7 @@ private:
   vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
   vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
   double DrawingRate = 0.0;
+  int DrawnShare[2] = { 0, 1 };
 
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberOfPatches = 0;

@@ -82,7 +82,7 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode)
 {
   Internals& self = *this->Implementation;
-  if (self.Cut->Arcs.empty() || !self.Painter->HasBuffers())
+  if (self.GetDrawnArcs().empty() || !self.Painter->HasBuffers())
   {
     return;
   }
@@ -107,7 +107,7 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   {
     colors.OfPatch = [this](std::uint32_t arc) { return this->GetPatchColor(arc); };
   }
-  self.Painter->Draw(cellBO.Program, mode, self.Cut->Arcs, colors);
+  self.Painter->Draw(cellBO.Program, mode, self.GetDrawnArcs(), colors);
   if (self.HasCellTextures)
   {
     self.CellTextureBuffer->Deactivate();
@@ -122,7 +122,7 @@ void vtkMultiTriangulationMapper::DrawVertices(vtkRenderer* renderer, vtkActor* 
   this->UpdateShaders(cellBO, renderer, actor);
   if (cellBO.Program)
   {
-    this->Implementation->Painter->DrawVertices(cellBO.Program, this->Implementation->Cut->Arcs);
+    this->Implementation->Painter->DrawVertices(cellBO.Program, this->Implementation->GetDrawnArcs());
   }
   this->DrawingVertices = false;
 }
