@@ -1,28 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Finds VTK and builds the toolkit's VTK modules, layer by layer. A folder is a module when it has a
-# vtk.module and a CMakeLists.txt, and when the modules that it names are there.
-set(mt_module_files)
-set(mt_present)
-foreach (folder IN ITEMS
-    Module
-    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
-    Rendering/Core
-    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General
-    Filters/Building)
-  if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
-    continue ()
-  endif ()
-  file(STRINGS "${CMAKE_SOURCE_DIR}/${folder}/vtk.module" names REGEX "^ *MultiTriangulation::")
-  list(TRANSFORM names STRIP)
-  list(POP_FRONT names name)
-  list(REMOVE_ITEM names ${mt_present} "")
-  if (names)
-    message(WARNING "${folder} is left out: no ${names}")
-  else ()
-    list(APPEND mt_present ${name})
-    list(APPEND mt_module_files "${CMAKE_SOURCE_DIR}/${folder}/vtk.module")
-  endif ()
-endforeach ()
+# Finds VTK and builds the toolkit's VTK modules, layer by layer.
+set(MT_SOURCE_DIR "${CMAKE_SOURCE_DIR}")
+include(MTModuleFolders)
 
 # VTK's components: what the vtk.module files name, and what the command, the examples, the tests and Python add. What
 # is linked must be named here or there, or CMake complains of targets that were not found (MPI::MPI_C).

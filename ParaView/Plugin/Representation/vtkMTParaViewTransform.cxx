@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTParaViewTransform.h"
+
+#include "vtkMTReplica.h"
+#include "vtkMTWholeRanges.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkMTParaViewTransform);
+
+//------------------------------------------------------------------------------
+vtkMTParaViewTransform::vtkMTParaViewTransform() = default;
+
+//------------------------------------------------------------------------------
+vtkMTParaViewTransform::~vtkMTParaViewTransform() = default;
+
+//------------------------------------------------------------------------------
+void vtkMTParaViewTransform::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+int vtkMTParaViewTransform::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const bool replica = vtkMTReplica::Is(vtkPolyData::GetData(inputVector[0]));
+  const int done = this->Superclass::RequestData(request, inputVector, outputVector);
+  vtkMultiTriangulation* output = done ? vtkMultiTriangulation::GetData(outputVector) : nullptr;
+  if (output && replica)
+  {
+    output->RemoveMesh();
+  }
+  else if (output)
+  {
+    vtkMTWholeRanges::Announce(*output);
+  }
+  return done;
+}

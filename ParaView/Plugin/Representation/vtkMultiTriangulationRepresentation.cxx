@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMultiTriangulationRepresentation.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMTArrayInfo.h"
+#include "vtkMTGraph.h"
+#include "vtkMTLODActor.h"
+#include "vtkMTPatchSource.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationMapper.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
+#include "vtkPVGeometryFilter.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVRenderView.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+vtkStandardNewMacro(vtkMultiTriangulationRepresentation);
+
+namespace
+{
+// Any data that the mapper can draw.
+vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* geometry)
+{
+  if (auto* polydata = vtkPolyData::SafeDownCast(geometry))
+  {
+    return polydata;
+  }
+  vtkNew<vtkAppendPolyData> append;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(geometry))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> leaf;
+    leaf.TakeReference(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      if (auto* polydata = vtkPolyData::SafeDownCast(leaf->GetCurrentDataObject()))
+      {
+        append->AddInputData(polydata);
+      }
+    }
+  }
+  if (append->GetNumberOfInputConnections(0) == 0)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+// What the finest level would take on a GPU, in KiB: 12 bytes of indices, and half a point of position and normal.
+unsigned long GetSizeOf(vtkMultiTriangulation& model)
+{
+  return static_cast<unsigned long>(model.GetNumberOfFinestTriangles()) * 24 / 1024;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulationRepresentation::vtkMultiTriangulationRepresentation()
+  : WaitForConvergence(vtkMultiTriangulationMapper::WAIT_WHEN_STILL)
+{
+  // One mapper draws both faces: what it has loaded serves both.
+  this->Mapper->Delete();
+  this->Mapper = vtkMultiTriangulationMapper::New();
+  this->BackfaceMapper->Delete();
+  this->BackfaceMapper = this->Mapper;
+  this->BackfaceMapper->Register(this);
+  this->Actor->Delete();
+  this->Actor = vtkMTLODActor::New();
+  this->BackfaceActor->Delete();
+  this->BackfaceActor = vtkMTLODActor::New();
+  this->SetupDefaults();
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulationRepresentation::~vtkMultiTriangulationRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Style: " << this->Style << "\n";
+  os << indent << "PointIdArray: " << this->PointIdArray << "\n";
+  os << indent << "CellIdArray: " << this->CellIdArray << "\n";
+  os << indent << "Mapper:\n";
+  this->Mapper->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulationMapper* vtkMultiTriangulationRepresentation::GetMultiTriangulationMapper()
+{
+  return static_cast<vtkMultiTriangulationMapper*>(this->Mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulation* vtkMultiTriangulationRepresentation::GetModel()
+{
+  auto* model = vtkMultiTriangulation::SafeDownCast(this->Data);
+  return model && model->GetSource() ? model : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* vtkMultiTriangulationRepresentation::GetRenderedDataObject(int)
+{
+  return this->GetNumberOfInputConnections(0) > 0 ? this->Data.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkMultiTriangulationRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? vtkDataObject::GetData(inputVector[0]->GetInformationObject(0))
+    : nullptr;
+  auto* model = vtkMultiTriangulation::SafeDownCast(input);
+  if (model)
+  {
+    // ParaView compares time stamps and keeps what it got: a copy, as cheap as a handle.
+    vtkNew<vtkMultiTriangulation> copy;
+    copy->ShallowCopy(model);
+    this->Data = copy;
+  }
+  else if (input)
+  {
+    this->GeometryFilter->SetInputConnection(this->GetInternalOutputPort());
+    this->GeometryFilter->Modified();
+    this->GeometryFilter->Update();
+    vtkNew<vtkPolyData> copy;
+    copy->ShallowCopy(MakeSurface(this->GeometryFilter->GetOutputDataObject(0)));
+    this->Data = copy;
+  }
+  else
+  {
+    this->Data = vtkSmartPointer<vtkPolyData>::New();
+  }
+  return this->vtkPVDataRepresentation::RequestData( // NOLINT(bugprone-parent-virtual-call)
+    request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+// Not the superclass's: it decimates, and hands all blocks to a mapper for blocks.
+int vtkMultiTriangulationRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->vtkPVDataRepresentation::ProcessViewRequest( // NOLINT(bugprone-parent-virtual-call)
+        request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->RequestUpdate(inInfo, outInfo);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    this->RequestLod(inInfo);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->RequestRender(inInfo);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::RequestUpdate(vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  vtkMultiTriangulation* model = this->GetModel();
+  double bounds[6];
+  vtkMath::UninitializeBounds(bounds);
+  if (model)
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Data, GetSizeOf(*model));
+    model->GetModelBounds(bounds);
+  }
+  else
+  {
+    vtkPVView::SetPiece(inInfo, this, this->Data);
+    vtkGeometryRepresentation::GetBounds(this->Data, bounds, nullptr);
+  }
+  // All processes must say the same, and those without input do not know what it is.
+  vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
+  vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0);
+  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
+
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::RequestLod(vtkInformation* inInfo)
+{
+  if (this->SuppressLOD)
+  {
+    return;
+  }
+  const bool knows = inInfo->Has(vtkPVRenderView::LOD_RESOLUTION()) != 0;
+  const double resolution = knows ? inInfo->Get(vtkPVRenderView::LOD_RESOLUTION()) : 0.5;
+  this->LodFactor = std::pow(16.0, 1.0 - std::clamp(resolution, 0.0, 1.0));
+  vtkMultiTriangulation* model = this->GetModel();
+  double bounds[6];
+  vtkMath::UninitializeBounds(bounds);
+  if (model)
+  {
+    model->GetModelBounds(bounds);
+  }
+  if (!inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) || !vtkMath::AreBoundsInitialized(bounds))
+  {
+    vtkPVView::SetPieceLOD(inInfo, this, this->Data, 1);
+    return;
+  }
+  vtkNew<vtkOutlineSource> outline;
+  outline->SetBounds(bounds);
+  outline->Update();
+  vtkPVView::SetPieceLOD(inInfo, this, outline->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::RequestRender(vtkInformation* inInfo)
+{
+  // What is delivered has been made anew by its type, which is that of polydata, and so has no patches.
+  vtkDataObject* data = this->GetModel() ? this->Data.Get() : vtkPVView::GetDeliveredPiece(inInfo, this);
+  if (data != this->Mapper->GetInputDataObject(0, 0))
+  {
+    this->Mapper->SetInputDataObject(data);
+  }
+  const bool lod = !this->SuppressLOD && inInfo->Has(vtkPVRenderView::USE_LOD()) == 1;
+  const bool outline = lod && inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD());
+  if (outline)
+  {
+    this->LODMapper->SetInputDataObject(vtkPVView::GetDeliveredPieceLOD(inInfo, this));
+  }
+  this->Actor->SetEnableLOD(outline ? 1 : 0);
+  this->GetMultiTriangulationMapper()->SetPixelError(lod ? this->LodFactor * this->PixelError : this->PixelError);
+  this->SetShare();
+  this->SetArrayIdNames(nullptr, nullptr);
+  this->UpdateColoringParameters();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetShare()
+{
+  vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  const int count = ranks ? ranks->GetNumberOfProcesses() : 1;
+  const bool alone = count == 1 || !this->GetModel();
+  const int rank = alone ? 0 : ranks->GetLocalProcessId();
+  if (!alone && this->NeedsOrderedCompositing())
+  {
+    mapper->SetDrawnShare(rank == 0 ? 0 : 1, 1);
+  }
+  else
+  {
+    mapper->SetDrawnShare(rank, alone ? 1 : count);
+  }
+  mapper->SetWaitForConvergence(alone ? this->WaitForConvergence : vtkMultiTriangulationMapper::WAIT_ALWAYS);
+  mapper->SetDrawingRate(alone ? this->DrawingRate : 1e15);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::UpdateColoringParameters()
+{
+  this->Representation = this->Style;
+  this->Superclass::UpdateColoringParameters();
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetArrayIdNames(const char* pointArray, const char* cellArray)
+{
+  const std::string points = this->GetIdArrayName(vtkDataObject::POINT);
+  this->GetMultiTriangulationMapper()->SetPointIdArrayName(pointArray && *pointArray ? pointArray
+      : points.empty()                                                               ? nullptr
+                                                                                     : points.c_str());
+  this->GetMultiTriangulationMapper()->SetCellIdArrayName(cellArray && *cellArray ? cellArray : nullptr);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMultiTriangulationRepresentation::GetIdArrayName(int association)
+{
+  vtkMultiTriangulation* model = this->GetModel();
+  if (!model)
+  {
+    return {};
+  }
+  const bool points = association == vtkDataObject::POINT;
+  const vtkMTArrayInfo::RoleType role = points ? vtkMTArrayInfo::InputPointIds : vtkMTArrayInfo::InputCellIds;
+  const std::string& named = points ? this->PointIdArray : this->CellIdArray;
+  for (const vtkMTArrayInfo& array : model->GetSource()->GetKnownGraph().Arrays)
+  {
+    const bool associated = (array.Association == vtkMTArrayInfo::Point) == points;
+    if (associated && (named.empty() ? array.Role == role : array.Name == named))
+    {
+      return array.Name;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetPixelError(double pixels)
+{
+  this->PixelError = pixels;
+  this->GetMultiTriangulationMapper()->SetPixelError(pixels);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetWaitForConvergence(int wait)
+{
+  this->WaitForConvergence = wait;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetDrawingRate(double trianglesPerSecond)
+{
+  this->DrawingRate = trianglesPerSecond;
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetErrorMetric(int metric)
+{
+  this->GetMultiTriangulationMapper()->SetErrorMetric(metric);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetTriangleLimit(vtkIdType triangles)
+{
+  this->GetMultiTriangulationMapper()->SetTriangleLimit(triangles);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetUploadLimit(vtkIdType bytes)
+{
+  this->GetMultiTriangulationMapper()->SetUploadLimit(bytes);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetCutTimeLimit(double seconds)
+{
+  this->GetMultiTriangulationMapper()->SetCutTimeLimit(seconds);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetPrefetch(bool on)
+{
+  this->GetMultiTriangulationMapper()->SetPrefetch(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetNumberOfLoaderThreads(int threads)
+{
+  this->GetMultiTriangulationMapper()->SetNumberOfLoaderThreads(threads);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetFrustumCulling(bool on)
+{
+  this->GetMultiTriangulationMapper()->SetFrustumCulling(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetFacingCulling(bool on)
+{
+  this->GetMultiTriangulationMapper()->SetFacingCulling(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetFreezeCut(bool on)
+{
+  this->GetMultiTriangulationMapper()->SetFreezeCut(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetCutColoring(int colors)
+{
+  this->GetMultiTriangulationMapper()->SetColorBy(colors);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetPatchMemoryLimit(vtkIdType bytes)
+{
+  this->GetMultiTriangulationMapper()->SetPatchMemoryLimit(bytes);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetGraphicsMemoryLimit(vtkIdType bytes)
+{
+  this->GetMultiTriangulationMapper()->SetGraphicsMemoryLimit(bytes);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationRepresentation::GetNumberOfTriangles()
+{
+  return this->GetMultiTriangulationMapper()->GetNumberOfTriangles();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationRepresentation::GetNumberOfPatches()
+{
+  return this->GetMultiTriangulationMapper()->GetNumberOfPatches();
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiTriangulationRepresentation::GetAchievedPixelError()
+{
+  return this->GetMultiTriangulationMapper()->GetAchievedPixelError();
+}
+
+//------------------------------------------------------------------------------
+int vtkMultiTriangulationRepresentation::GetConverged()
+{
+  return this->GetMultiTriangulationMapper()->GetConverged() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkMultiTriangulationRepresentation::GetLoading()
+{
+  return this->GetMultiTriangulationMapper()->GetLoading() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiTriangulationRepresentation::GetFrameTime()
+{
+  return this->GetMultiTriangulationMapper()->GetFrameTime();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationRepresentation::GetGraphicsMemory()
+{
+  return this->GetMultiTriangulationMapper()->GetGraphicsMemory();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMultiTriangulationRepresentation::GetPatchMemory()
+{
+  return this->GetMultiTriangulationMapper()->GetPatchMemory();
+}
