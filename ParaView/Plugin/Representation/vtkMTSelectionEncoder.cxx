@@ -6,7 +6,11 @@
 #include "vtkInformation.h"
 #include "vtkMultiTriangulationRepresentation.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPVDataRepresentation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSmartPointer.h"
@@ -47,22 +51,48 @@ const bool IsRegistered = []
   return true;
 }();
 
+// The name where the data is in a server, and this process has the proxies only.
+std::string FindInServer(vtkSMProxy* view, vtkMultiTriangulationRepresentation* representation, bool points)
+{
+  vtkSMPropertyHelper all(view, "Representations");
+  for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
+  {
+    vtkSMProxy* proxy = all.GetAsProxy(i);
+    vtkSMProxy* own = proxy ? proxy->GetSubProxy("MultiTriangulationRepresentation") : nullptr;
+    if (!own || own->GetClientSideObject() != representation)
+    {
+      continue;
+    }
+    vtkSMPropertyHelper input(proxy, "Input");
+    auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+    const std::string named = points ? representation->GetPointIdArray() : representation->GetCellIdArray();
+    const std::string name = !named.empty() || points ? named : "vtkMTInputCellIds";
+    const int association = points ? vtkDataObject::POINT : vtkDataObject::CELL;
+    const bool there = source && !name.empty() &&
+      source->GetDataInformation(input.GetOutputPort())->GetArrayInformation(name.c_str(), association);
+    return there ? name : std::string();
+  }
+  return {};
+}
+
 // Indices of what is drawn are ids already; only their meaning is told. The rank that drew them does not matter. False
 // where they mean nothing.
-bool NameIds(vtkSelectionNode* node)
+bool NameIds(vtkSelectionNode* node, vtkSMProxy* view)
 {
   vtkInformation* properties = node->GetProperties();
   vtkAbstractArray* ids = node->GetSelectionList();
   auto* representation = vtkMultiTriangulationRepresentation::SafeDownCast(properties->Get(vtkSelectionNode::SOURCE()));
-  if (!representation || !representation->ShowsModel() || !ids || node->GetContentType() != vtkSelectionNode::INDICES)
+  if (!representation || !ids || node->GetContentType() != vtkSelectionNode::INDICES)
   {
     return true;
   }
   const bool points = node->GetFieldType() == vtkSelectionNode::POINT;
-  const std::string name = representation->GetIdArrayName(points ? vtkDataObject::POINT : vtkDataObject::CELL);
+  const bool here = representation->ShowsModel();
+  const std::string name = here ? representation->GetIdArrayName(points ? vtkDataObject::POINT : vtkDataObject::CELL)
+                                : FindInServer(view, representation, points);
   if (name.empty())
   {
-    return false;
+    return !here; // data without patches is selected by its indices
   }
   node->SetContentType(vtkSelectionNode::VALUES);
   ids->SetName(name.c_str());
@@ -92,7 +122,7 @@ bool vtkMTSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, vtkSMRe
   std::vector<vtkSmartPointer<vtkSelectionNode>> meaningless;
   for (unsigned int i = 0; rawSelection && i < rawSelection->GetNumberOfNodes(); ++i)
   {
-    if (!NameIds(rawSelection->GetNode(i)))
+    if (!NameIds(rawSelection->GetNode(i), viewProxy))
     {
       meaningless.emplace_back(rawSelection->GetNode(i));
     }

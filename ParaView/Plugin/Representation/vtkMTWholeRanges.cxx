@@ -30,7 +30,30 @@ void Widen(double range[2], const double whole[2])
   range[1] = std::max(range[1], whole[1]);
 }
 
-// The ranges are asked for first, so that the array has all of the keys and only their values change.
+// The range is asked for first, so that the array has all of the keys and only the values change.
+void AnnounceRange(vtkDataArray* array, int component, const double whole[2], bool finite, const RangeKeys& keys)
+{
+  double range[2];
+  if (finite)
+  {
+    array->GetFiniteRange(range, component);
+  }
+  else
+  {
+    array->GetRange(range, component);
+  }
+  Widen(range, whole);
+  vtkInformation* info = array->GetInformation();
+  if (component < 0)
+  {
+    info->Set(keys.Magnitude, range, 2);
+  }
+  else if (vtkInformationVector* components = info->Get(keys.PerComponent))
+  {
+    components->GetInformationObject(component)->Set(keys.Component, range, 2);
+  }
+}
+
 void AnnounceArray(const vtkMultiTriangulation& model, vtkDataArray* array, int association)
 {
   const RangeKeys all{ vtkAbstractArray::PER_COMPONENT(), vtkDataArray::COMPONENT_RANGE(),
@@ -40,24 +63,10 @@ void AnnounceArray(const vtkMultiTriangulation& model, vtkDataArray* array, int 
   for (int component = -1; component < array->GetNumberOfComponents(); ++component)
   {
     double whole[2];
-    if (!model.GetArrayRange(array->GetName(), association, component, whole))
+    if (model.GetArrayRange(array->GetName(), association, component, whole))
     {
-      continue;
-    }
-    for (const RangeKeys& keys : { all, finite })
-    {
-      double range[2];
-      &keys == &all ? array->GetRange(range, component) : array->GetFiniteRange(range, component);
-      Widen(range, whole);
-      vtkInformation* info = array->GetInformation();
-      if (component < 0)
-      {
-        info->Set(keys.Magnitude, range, 2);
-      }
-      else if (vtkInformationVector* components = info->Get(keys.PerComponent))
-      {
-        components->GetInformationObject(component)->Set(keys.Component, range, 2);
-      }
+      AnnounceRange(array, component, whole, false, all);
+      AnnounceRange(array, component, whole, true, finite);
     }
   }
 }

@@ -3,7 +3,7 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkAppendPolyData.h"
-#include "vtkBoundingBox.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -12,6 +12,7 @@
 #include "vtkMTGraph.h"
 #include "vtkMTLODActor.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTReplica.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
@@ -194,7 +195,11 @@ void vtkMultiTriangulationRepresentation::RequestUpdate(vtkInformation* inInfo, 
   // All processes must say the same, and those without input do not know what it is.
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
   vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
-  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, 0);
+  // A model cannot be moved to other ranks, but the ranks' places are to be found from something.
+  const int movable = model ? 0 : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE;
+  vtkPVRenderView::SetOrderedCompositingConfiguration(
+    inInfo, this, movable | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+  this->CountReplicas();
   outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->NeedsOrderedCompositing() ? 1 : 0);
 
   vtkNew<vtkMatrix4x4> matrix;
@@ -219,7 +224,8 @@ void vtkMultiTriangulationRepresentation::RequestLod(vtkInformation* inInfo)
   {
     model->GetModelBounds(bounds);
   }
-  if (!inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) || !vtkMath::AreBoundsInitialized(bounds))
+  this->LodIsOutline = inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) && vtkMath::AreBoundsInitialized(bounds);
+  if (!this->LodIsOutline)
   {
     vtkPVView::SetPieceLOD(inInfo, this, this->Data, 1);
     return;
@@ -240,7 +246,7 @@ void vtkMultiTriangulationRepresentation::RequestRender(vtkInformation* inInfo)
     this->Mapper->SetInputDataObject(data);
   }
   const bool lod = !this->SuppressLOD && inInfo->Has(vtkPVRenderView::USE_LOD()) == 1;
-  const bool outline = lod && inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD());
+  const bool outline = lod && this->LodIsOutline;
   if (outline)
   {
     this->LODMapper->SetInputDataObject(vtkPVView::GetDeliveredPieceLOD(inInfo, this));
@@ -253,23 +259,39 @@ void vtkMultiTriangulationRepresentation::RequestRender(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
+// Ranks share a model where all of them have it and one has its mesh. Where each has its own, as from a builder, each
+// draws what it has.
+void vtkMultiTriangulationRepresentation::CountReplicas()
+{
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  const int count = ranks ? ranks->GetNumberOfProcesses() : 1;
+  this->SharesModel = false;
+  if (count > 1)
+  {
+    const int own = vtkMTReplica::Is(this->Data) ? 1 : 0;
+    int all = 0;
+    ranks->AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+    this->SharesModel = all == count - 1;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiTriangulationRepresentation::SetShare()
 {
   vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
-  const int count = ranks ? ranks->GetNumberOfProcesses() : 1;
-  const bool alone = count == 1 || !this->GetModel();
-  const int rank = alone ? 0 : ranks->GetLocalProcessId();
-  if (!alone && this->NeedsOrderedCompositing())
+  const int rank = this->SharesModel ? ranks->GetLocalProcessId() : 0;
+  if (this->SharesModel && this->NeedsOrderedCompositing())
   {
     mapper->SetDrawnShare(rank == 0 ? 0 : 1, 1);
   }
   else
   {
-    mapper->SetDrawnShare(rank, alone ? 1 : count);
+    mapper->SetDrawnShare(rank, this->SharesModel ? ranks->GetNumberOfProcesses() : 1);
   }
-  mapper->SetWaitForConvergence(alone ? this->WaitForConvergence : vtkMultiTriangulationMapper::WAIT_ALWAYS);
-  mapper->SetDrawingRate(alone ? this->DrawingRate : 1e15);
+  mapper->SetWaitForConvergence(
+    this->SharesModel ? static_cast<int>(vtkMultiTriangulationMapper::WAIT_ALWAYS) : this->WaitForConvergence);
+  mapper->SetDrawingRate(this->SharesModel ? 1e15 : this->DrawingRate);
 }
 
 //------------------------------------------------------------------------------

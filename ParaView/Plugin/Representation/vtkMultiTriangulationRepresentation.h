@@ -11,10 +11,10 @@
  * view draws where the data is: in the server, if there is one, whatever ParaView's threshold for remote rendering
  * says.
  *
- * Several ranks: each has the handle to all patches, finds the same cut and draws its share of it
- * (vtkMultiTriangulationMapper::SetDrawnShare), and ParaView composites. The cut is the same only where it does not
- * depend on time, so ranks always wait for their patches. Translucent surfaces are drawn by rank 0 alone: shares cannot
- * be put in an order from back to front.
+ * Several ranks, where a reader gave the model: each has the handle to all patches, finds the same cut and draws its
+ * share of it (vtkMultiTriangulationMapper::SetDrawnShare), and ParaView composites. The cut is the same only where it
+ * does not depend on time, so ranks always wait for their patches. Translucent surfaces are drawn by rank 0 alone:
+ * shares cannot be put in an order from back to front.
  *
  * Interaction: a still render waits until the picture is what the settings ask for. An interactive one draws what is
  * there, in the time that ParaView's frame rate allows. Where ParaView uses levels of detail (the model's finest level
@@ -129,6 +129,7 @@ private:
   void RequestUpdate(vtkInformation* inInfo, vtkInformation* outInfo);
   void RequestLod(vtkInformation* inInfo);
   void RequestRender(vtkInformation* inInfo);
+  void CountReplicas();
   void SetShare();
 
   vtkSmartPointer<vtkDataObject> Data;
@@ -136,6 +137,8 @@ private:
   int WaitForConvergence;
   double DrawingRate = 0.0;
   double LodFactor = 1.0;
+  bool LodIsOutline = false;
+  bool SharesModel = false;
   int Style = SURFACE;
   std::string PointIdArray;
   std::string CellIdArray;
