@@ -19,9 +19,11 @@ function (mt_leave_out_of_unity)
       MTIOMesh:IO/Mesh/vtkMTStlStream.cxx
       MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx)
     string(REGEX MATCH "^([^:]+):(.+)$" matched "${source}")
-    set_source_files_properties("${MT_SOURCE_DIR}/${CMAKE_MATCH_2}"
-      TARGET_DIRECTORY ${CMAKE_MATCH_1}
-      PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if (TARGET ${CMAKE_MATCH_1})
+      set_source_files_properties("${MT_SOURCE_DIR}/${CMAKE_MATCH_2}"
+        TARGET_DIRECTORY ${CMAKE_MATCH_1}
+        PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif ()
   endforeach ()
 endfunction ()
 cmake_language(DEFER CALL mt_leave_out_of_unity)

@@ -2,6 +2,7 @@
 #include "vtkMTSelectionEncoder.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkCompositeRepresentation.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMultiTriangulationRepresentation.h"
@@ -58,8 +59,8 @@ std::string FindInServer(vtkSMProxy* view, vtkMultiTriangulationRepresentation* 
   for (unsigned int i = 0; i < all.GetNumberOfElements(); ++i)
   {
     vtkSMProxy* proxy = all.GetAsProxy(i);
-    vtkSMProxy* own = proxy ? proxy->GetSubProxy("MultiTriangulationRepresentation") : nullptr;
-    if (!own || own->GetClientSideObject() != representation)
+    auto* shown = proxy ? vtkCompositeRepresentation::SafeDownCast(proxy->GetClientSideObject()) : nullptr;
+    if (!shown || shown->GetActiveRepresentation() != representation)
     {
       continue;
     }
