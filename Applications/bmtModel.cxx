@@ -69,6 +69,18 @@ bmtJson DescribeArrays(const std::vector<vtkMTArrayInfo>& arrays)
   return list;
 }
 
+// Of each measure its largest value, which is the source's, as measures are saturated.
+bmtJson DescribeMeasures(const vtkMTGraph& graph)
+{
+  bmtJson list = bmtJson::array();
+  for (const vtkMTMeasure& measure : graph.Measures)
+  {
+    list.push_back(
+      { { "name", measure.Name }, { "largest", measure.Values.empty() ? 0.0 : measure.Values[graph.GetSource()] } });
+  }
+  return list;
+}
+
 std::string GetSetting(const vtkMTGraph& graph, const std::string& name)
 {
   const auto found = graph.Settings.find(name);
@@ -120,6 +132,7 @@ bmtJson bmtDescribeModel(const vtkMTGraph& graph, std::uint64_t bytes)
   }
   json["lattice_step"] = graph.Lattice.Step;
   json["largest_shift"] = graph.Lattice.MaximumShift;
+  json["measures"] = DescribeMeasures(graph);
   json["finest_error"] = graph.IsEmpty() ? 0.0 : graph.Nodes[graph.GetSink()].Error;
   json["coarsest_error"] = graph.IsEmpty() ? 0.0 : vtkMTCut(graph).GetError();
   return json;

@@ -23,11 +23,9 @@
 #include <cstdlib>
 #include <map>
 
-//------------------------------------------------------------------------------
-// Options
-
 namespace
 {
+using Mapper = vtkMultiTriangulationMapper;
 // WIDTHxHEIGHT into two numbers; a message for CLI11 when it is something else.
 std::string ParseSize(const std::string& text, std::array<int, 2>& size)
 {
@@ -86,6 +84,9 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
       "--pixel-error", options.PixelError, "How far the picture of the surface may be from the input's, in pixels")
     ->check(CLI::Range(0.0, 1e9))
     ->capture_default_str();
+  command.add_option("--metric", options.Metric, "The error: distance (certified), edges (mean length) or normals")
+    ->check(CLI::IsMember({ "distance", "edges", "normals" }))
+    ->capture_default_str();
   command.add_option("--budget", options.Budget, "Triangles drawn at most; 0: no limit")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
@@ -93,9 +94,6 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
   command.add_option(
     "--texture", options.Texture, "An image (PNG, JPEG) for the whole mesh, by its texture coordinates");
 }
-
-//------------------------------------------------------------------------------
-// Scene
 
 bmtScene::bmtScene(const bmtSceneOptions& options)
 {
@@ -116,6 +114,8 @@ bmtScene::bmtScene(const bmtSceneOptions& options)
   }
   this->Mapper->SetInputDataObject(this->Model);
   this->Mapper->SetPixelError(options.PixelError);
+  const int other = options.Metric == "edges" ? Mapper::EDGE_LENGTH : Mapper::DISTANCE;
+  this->Mapper->SetErrorMetric(options.Metric == "normals" ? Mapper::NORMAL_DEVIATION : other);
   this->Mapper->SetTriangleLimit(options.Budget);
   this->Actor->SetMapper(this->Mapper);
   this->Renderer->AddActor(this->Actor);
@@ -158,7 +158,6 @@ void bmtScene::RequireDisplay() const
 
 void bmtScene::SetColorBy(const std::string& what)
 {
-  using Mapper = vtkMultiTriangulationMapper;
   static const std::map<std::string, int> cuts{ { "level", Mapper::LEVEL }, { "patch", Mapper::PATCH },
     { "error", Mapper::ERROR_IN_PIXELS } };
   const auto cut = cuts.find(what);

@@ -28,6 +28,7 @@ struct bmtSceneOptions
   std::vector<double> Camera; ///< position, focal point, view up: nine numbers, or none for a view of the whole model
   double ViewAngle = 30.0;    ///< degrees, vertical
   double PixelError = 1.0;
+  std::string Metric = "distance";
   std::int64_t Budget = 0;
   std::string ColorBy;
   std::string Texture;

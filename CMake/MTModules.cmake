@@ -35,6 +35,7 @@ vtk_module_build(
   INSTALL_EXPORT MultiTriangulation
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/multitriangulation"
   CMAKE_DESTINATION "${MT_CMAKE_DESTINATION}"
+  TARGET_SPECIFIC_COMPONENTS ON
   USE_EXTERNAL OFF)
 
 # vtk_module_build has an argument for this, but takes a SOVERSION whose major number is 0 for none. Until 1.0 every minor
@@ -47,3 +48,11 @@ endif ()
 foreach (module IN LISTS mt_modules)
   vtk_module_set_properties(${module} VERSION "${PROJECT_VERSION}" SOVERSION "${MT_SOVERSION}")
 endforeach ()
+
+# What reads bytes from outside counts its branches for the fuzzers. Nothing else does: it would slow down the unit tests,
+# which are built in the same tree.
+if (MT_FUZZ)
+  foreach (module IN ITEMS MTCore MTIOCore MTIO MTIOMesh)
+    vtk_module_compile_options(MultiTriangulation::${module} PRIVATE -fsanitize=fuzzer-no-link)
+  endforeach ()
+endif ()

@@ -22,6 +22,54 @@ set(MT_LAYERS_WITH_FOREIGN_LEAKS Rendering ApplicationsRender)
 add_custom_target(mt_thread_tests)
 set(MT_LAYERS_WITH_THREADS Partition Simplification FiltersCore Construction IO RenderingCore)
 
+# Sanitizers leave these out: what they run, smaller tests run as well, and instrumented they took four tenths of a
+# stage's time. In the release build all tests run.
+set(MT_LEFT_OUT_BY_SANITIZERS)
+if (MT_SANITIZE)
+  list(APPEND MT_LEFT_OUT_BY_SANITIZERS
+    Assembler.AMillionWedgesOfOnePointAreFoundOneByOne
+    Builder.CertifiedErrorHoldsAndIsTight
+    Builder.CutOfClosedMeshHasNoBorder
+    Builder.EveryModelIsValidInEveryCut
+    Builder.EveryPlaceOfAPatchIsWithinItsError
+    Builder.EveryUsableTriangleIsStored
+    Builder.RootHasAtMostTwoPatches
+    CutFollower.CutTakesLittleTimeAlongAFlight
+    ExactPoints.FinestLevelGivesTheInputsBitsBack
+    ExtractionBudget.IsUsedToNineTenthsFromFiftyMeanPatchesOn
+    FileBuilder.BytesDoNotDependOnThreadsMemoryOrFolder
+    Holes.SmallHolesDoNotStandInTheWayOfTheTarget
+    Kinds/ColorsOfTheData*
+    Mapper.ArrayChangesShowInTheNextFrame
+    Mapper.UnevenCutsHaveNoCracks
+    MapperBudget*
+    MapperLoading*
+    MapperPasses*
+    MapperRate.MemoryOfAFrameStaysForTheNextOne
+    MapperSharing.CullingInStereoChangesNoPixel
+    MeshReader.CutFilesOfVtksFormatsAreNeverTakenForWhole
+    MeshReader.RealMeshes*
+    MeshStream.VtpOfEveryEncoding*
+    Modes.FastIsNearlyAsNearToTheFloorAsBest
+    OutOfCore.ModelDoesNotDependOnMemoryOrThreads
+    OutOfCore.RegionThatIsTooLargeForTheLimitSaysHowMuchIsMissing
+    PartitionRealMeshes*
+    Pipeline.*
+    Pitfalls.TheTargetIsMetInTriangles
+    Placement.MirroredActorsAreLitAndCulledAsVtkDoesIt
+    Places/MapperAt*
+    Regions.SimplifiedApartTheyMakeAClosedManifoldAtEveryLevel
+    Render.ASmallerPixelErrorDrawsMoreAndABudgetIsKept
+    Render.CamerasAndColoursDoWhatTheySay
+    Seams.ATextureAroundACylinderStaysContinuousInEveryTriangle
+    Sizes/MapperUnderScale*
+    States/AgainstPolyDataMapper*
+    Verifier.AMeshOfAnotherShapeIsFoundByTheCheckForIt
+    */PartitionStrategy.NoRegionExceedsFourTimesTheTarget*)
+  list(JOIN MT_LEFT_OUT_BY_SANITIZERS ":" MT_LEFT_OUT_BY_SANITIZERS)
+  set(MT_LEFT_OUT_BY_SANITIZERS TEST_FILTER "-${MT_LEFT_OUT_BY_SANITIZERS}")
+endif ()
+
 # mt_add_unit_test(<layer> [DISPLAY] SOURCES <files> LINK <targets>)
 # One GoogleTest program test_<layer>; its tests are labelled <layer>. DISPLAY: it opens render windows and runs under
 # Xvfb. The program sees MT_SOURCE_DIRECTORY and MT_TEST_OUTPUT_DIRECTORY as string literals, and the helpers of
@@ -68,6 +116,7 @@ function (mt_add_unit_test layer)
   endif ()
   gtest_discover_tests(${target}
     DISCOVERY_MODE PRE_TEST
+    ${MT_LEFT_OUT_BY_SANITIZERS}
     PROPERTIES LABELS ${layer} TIMEOUT 900 ${environment})
 endfunction ()
 

@@ -146,6 +146,14 @@ double GetDiameter(const vtkMTGraph& graph, const vtkMTNode& node)
 }
 
 //------------------------------------------------------------------------------
+const vtkMTMeasure* vtkMTGraph::FindMeasure(const std::string& name) const
+{
+  const auto found = std::find_if(this->Measures.begin(), this->Measures.end(),
+    [&name](const vtkMTMeasure& measure) { return measure.Name == name; });
+  return found == this->Measures.end() ? nullptr : &*found;
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t vtkMTGraph::GetNumberOfKnownNodes() const
 {
   const std::uint32_t known = this->Known.Count.load(std::memory_order_acquire);

@@ -98,6 +98,15 @@ private:
 /// is built, a node's value is that of its own fragment; Saturate makes it the largest of those below as well.
 struct vtkMTMeasure
 {
+  /// The name of that which holds certified angles (radians, at most pi) between the shading normals of a node's
+  /// fragment and those of the input: every point of the fragment has a point of the input's within Error of it whose
+  /// normal is within the angle, and the other way round. Of the normals as they are in the model, at its finest level;
+  /// of the triangles where it has none. Models of earlier versions of the builder do not have it.
+  static constexpr const char* NormalDeviation = "normal deviation";
+  /// The name of the mean of these certified angles over a fragment, each of its triangles with its own one, weighted
+  /// by area: it tells nodes apart where the largest angle has long been a straight one.
+  static constexpr const char* MeanNormalDeviation = "mean normal deviation";
+
   std::string Name;
   std::vector<double> Values; ///< one for each node; finite, not negative
 };
@@ -194,6 +203,9 @@ public:
   std::map<std::string, std::int64_t> InputReport;
   /// Edges that could not be collapsed in regions that stayed above their target, by cause.
   std::map<std::string, std::int64_t> Blocked;
+
+  /// The measure of that name, or null.
+  const vtkMTMeasure* FindMeasure(const std::string& name) const;
 
   std::uint32_t GetSource() const { return 0; }
   std::uint32_t GetSink() const { return static_cast<std::uint32_t>(this->Nodes.size()) - 1; }

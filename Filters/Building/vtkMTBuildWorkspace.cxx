@@ -31,6 +31,14 @@ void KeepSmallBlocks(std::uint64_t limit)
   mallopt(M_ARENA_MAX, 4);
 }
 
+// The most that glibc comes to by itself: what draws next may free and fetch as much for every frame.
+void KeepLargeBlocks()
+{
+  constexpr int largest = 32 << 20;
+  mallopt(M_MMAP_THRESHOLD, largest);
+  mallopt(M_TRIM_THRESHOLD, 2 * largest);
+}
+
 std::filesystem::path GetParent(const std::string& output, const std::string& temporaryFolder)
 {
   const std::filesystem::path parent =
@@ -58,7 +66,13 @@ vtkMTBuildWorkspace::vtkMTBuildWorkspace(const Settings& settings)
 {
 }
 
-vtkMTBuildWorkspace::~vtkMTBuildWorkspace() = default;
+vtkMTBuildWorkspace::~vtkMTBuildWorkspace()
+{
+  if (this->Given.MemoryLimit > 0)
+  {
+    KeepLargeBlocks();
+  }
+}
 
 bool vtkMTBuildWorkspace::Open(vtkMTBuildError& error)
 {

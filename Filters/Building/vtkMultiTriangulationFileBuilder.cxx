@@ -263,8 +263,8 @@ bool vtkMultiTriangulationFileBuilder::MakeIdentity(const vtkMTInputFiles& files
        << "; heights by " << input.VerticalScale << input.Degrees << "; patches of " << builder->GetPatchTriangles()
        << ", " << this->LatticeBits << " bits, precision " << this->Precision << ", " << compressions[this->Compression]
        << "; " << !builder->GetMakeNormals() << !this->KeepIds << builder->GetKeepFarOutliers()
-       << (builder->GetExactPoints() ? " exact" : "") << "; " << builder->GetPartitionStrategy()->GetSettings() << "; "
-       << builder->GetSimplifier()->GetSettings();
+       << (builder->GetExactPoints() ? " exact" : "") << (builder->GetCertifyNormals() ? " normals" : "") << "; "
+       << builder->GetPartitionStrategy()->GetSettings() << "; " << builder->GetSimplifier()->GetSettings();
   for (std::size_t i = 0; !this->KeepAllArrays && i < this->Implementation->Arrays.size(); ++i)
   {
     text << "; " << this->Implementation->Arrays[i];

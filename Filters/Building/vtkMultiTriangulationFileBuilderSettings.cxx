@@ -217,6 +217,16 @@ bool vtkMultiTriangulationFileBuilder::GetExactPoints() const
   return this->Implementation->Builder->GetExactPoints();
 }
 
+void vtkMultiTriangulationFileBuilder::SetCertifyNormals(bool on)
+{
+  this->Implementation->Builder->SetCertifyNormals(on);
+}
+
+bool vtkMultiTriangulationFileBuilder::GetCertifyNormals() const
+{
+  return this->Implementation->Builder->GetCertifyNormals();
+}
+
 void vtkMultiTriangulationFileBuilder::SetPatchTriangles(int triangles)
 {
   this->Implementation->Builder->SetPatchTriangles(triangles);

@@ -45,6 +45,8 @@ public:
     , Places(floor.GetNumberOfPoints())
     , BoundByCells(fragment.GetNumberOfTriangles(), 0.0)
     , FloorTriangle(fragment.GetNumberOfTriangles(), None)
+    , IsDownByCells(floor.GetNumberOfTriangles(), 0)
+    , IsUpByCells(fragment.GetNumberOfTriangles(), 0)
     , Budget(vtkMTDeviation::PiecesPerTriangle * (floor.GetNumberOfTriangles() + fragment.GetNumberOfTriangles()))
   {
   }
@@ -62,6 +64,10 @@ public:
     this->BoundFloor(overlay);
     this->BoundFragment(overlay.FindCovered());
     this->Gather(findings);
+    if (findings.KeepPairs)
+    {
+      this->GatherPairs(overlay, findings.Pairs);
+    }
   }
 
 private:
@@ -216,6 +222,7 @@ private:
         this->Down.Credit(t, cell.Triangle, this->Down.Before[t] + cell.Distance);
       }
     }
+    this->IsDownByCells[t] = 1;
   }
 
   bool IsAcceptable(double bound) const
@@ -232,7 +239,7 @@ private:
       const double bound = isBound ? this->BoundByCells[s] : std::numeric_limits<double>::infinity();
       if (this->IsAcceptable(bound))
       {
-        this->Up.Credit(s, this->FloorTriangle[s], bound);
+        this->CreditFragment(s, bound);
       }
       else
       {
@@ -245,11 +252,44 @@ private:
       const std::uint32_t s = entry.Triangle;
       if (this->IsAcceptable(entry.Bound))
       {
-        this->Up.Credit(s, this->FloorTriangle[s], entry.Bound);
+        this->CreditFragment(s, entry.Bound);
         continue;
       }
       ++this->Result.TrianglesByPieces;
       this->Up.Bound(s, { this->FloorTriangle[s], None, None }, this->Budget);
+    }
+  }
+
+  void CreditFragment(std::uint32_t s, double bound)
+  {
+    this->Up.Credit(s, this->FloorTriangle[s], bound);
+    this->IsUpByCells[s] = 1;
+  }
+
+  // What the bounds were taken of: cells, and where these were not good enough the pieces.
+  void GatherPairs(const vtkMTOverlay& overlay, std::vector<vtkMTDeviation::Pair>& pairs) const
+  {
+    pairs.reserve(overlay.Cells.size() + this->Down.GetCredited().size() + this->Up.GetCredited().size());
+    for (std::uint32_t t = 0; t < this->Floor.GetNumberOfTriangles(); ++t)
+    {
+      for (std::uint32_t c = overlay.FirstCell[t]; c < overlay.FirstCell[t + 1]; ++c)
+      {
+        const vtkMTOverlay::Cell& cell = overlay.Cells[c];
+        const bool isDown = cell.CoversFloor && this->IsDownByCells[t];
+        const bool isUp = cell.CoversFragment && this->IsUpByCells[cell.Triangle];
+        if (isDown || isUp)
+        {
+          pairs.push_back({ t, cell.Triangle, RoundUp(cell.Distance), isDown, isUp });
+        }
+      }
+    }
+    for (const vtkMTPieceBound::Credited& piece : this->Down.GetCredited())
+    {
+      pairs.push_back({ piece.From, piece.To, RoundUp(piece.Distance), true, false });
+    }
+    for (const vtkMTPieceBound::Credited& piece : this->Up.GetCredited())
+    {
+      pairs.push_back({ piece.To, piece.From, RoundUp(piece.Distance), false, true });
     }
   }
 
@@ -259,7 +299,8 @@ private:
     for (std::size_t s = 0; s < findings.Deviations.size(); ++s)
     {
       vtkMTTriangleDeviation& deviation = findings.Deviations[s];
-      deviation = { RoundUp(this->Up.GetBoundOfTriangle()[s]), RoundUp(this->Down.GetBoundOnTriangle()[s]) };
+      deviation.ToInput = RoundUp(this->Up.GetBoundOfTriangle()[s]);
+      deviation.FromInput = RoundUp(this->Down.GetBoundOnTriangle()[s]);
       this->Result.UpperBound =
         std::max({ this->Result.UpperBound, double(deviation.ToInput), double(deviation.FromInput) });
     }
@@ -277,6 +318,8 @@ private:
   std::vector<Place> Places;
   std::vector<double> BoundByCells;         // [fragment's triangles]
   std::vector<std::uint32_t> FloorTriangle; // [fragment's triangles] of one of its cells
+  std::vector<unsigned char> IsDownByCells; // [floor's triangles] whether its cells gave its bound
+  std::vector<unsigned char> IsUpByCells;   // [fragment's triangles] the same
   std::size_t Budget;
 };
 }

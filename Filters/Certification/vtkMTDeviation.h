@@ -28,11 +28,14 @@
 
 class vtkMTSurface;
 
-/// What is known of one triangle of a level's mesh, in steps: how far it is from the input, and the input from it.
+/// What is known of one triangle of a level's mesh, in steps: how far it is from the input, and the input from it; and
+/// of the same pairs of points the angles between their shading normals (vtkMTNormalDeviation has the units).
 struct vtkMTTriangleDeviation
 {
   float ToInput = 0.0f;   ///< no point of the triangle is farther than this from the input
   float FromInput = 0.0f; ///< no point of that part of the input which this triangle stands for is farther from it
+  std::uint16_t NormalToInput = 0;
+  std::uint16_t NormalFromInput = 0;
 };
 
 struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
@@ -58,9 +61,21 @@ struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
     std::vector<std::uint32_t> Heirs;
     std::vector<vtkMTTriangleDeviation> FloorDeviations; ///< [floor's triangles] empty when the floor is the input
   };
+  /// A triangle of either mesh that the bounds rest on: parts of them stand for each other, and no point of such a part
+  /// is farther from its partner than the distance, steps.
+  struct Pair
+  {
+    std::uint32_t Floor;
+    std::uint32_t Fragment;
+    float Distance;
+    bool IsDown; ///< part of the floor's triangle has come to stand on the fragment's
+    bool IsUp;   ///< part of the fragment's triangle stands on the floor's
+  };
   /// What is known of the fragment afterwards.
   struct Findings
   {
+    bool KeepPairs = false; ///< given: whether Pairs are wanted
+    std::vector<Pair> Pairs;
     std::vector<vtkMTTriangleDeviation> Deviations; ///< [fragment's triangles]
     std::vector<std::uint32_t> FloorTriangle; ///< [fragment's triangles] one of the floor that lies over or near it
   };

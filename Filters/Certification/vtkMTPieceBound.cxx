@@ -241,10 +241,10 @@ void vtkMTPieceBound::Improve(Entry& entry, std::uint32_t s) const
   {
     distance2 = std::max(distance2, this->To.GetDistance2(piece.Corners[i], s, limit * limit));
   }
-  const double bound = added + this->Raise(std::sqrt(distance2), piece.Triangle, s);
-  if (bound < entry.Best.Bound)
+  const double distance = this->Raise(std::sqrt(distance2), piece.Triangle, s);
+  if (added + distance < entry.Best.Bound)
   {
-    entry.Best = { bound, s };
+    entry.Best = { added + distance, s, distance };
   }
 }
 
@@ -254,8 +254,22 @@ bool vtkMTPieceBound::Accept(const Entry& entry, double trueHere)
   {
     return false;
   }
-  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound);
+  this->CreditPiece(entry);
   return true;
+}
+
+void vtkMTPieceBound::CreditPiece(const Entry& entry)
+{
+  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound);
+  const Credited credited{ entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Distance };
+  if (!this->PiecesCredited.empty() && this->PiecesCredited.back().From == credited.From &&
+    this->PiecesCredited.back().To == credited.To)
+  {
+    double& distance = this->PiecesCredited.back().Distance;
+    distance = std::max(distance, credited.Distance);
+    return;
+  }
+  this->PiecesCredited.push_back(credited);
 }
 
 void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
@@ -269,7 +283,7 @@ void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
     if (budget == 0 || entry.Shape.Depth >= MaximumDepth)
     {
       this->Result.BudgetUsedUp = true;
-      this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound);
+      this->CreditPiece(entry);
       continue;
     }
     --budget;
@@ -363,5 +377,5 @@ void vtkMTPieceBound::CutInHalves(const Entry& entry)
     this->Stack.push_back({ other, entry.Best, entry.Guess, false });
     return;
   }
-  this->Credit(entry.Shape.Triangle, entry.Best.Triangle, entry.Best.Bound); // too small to be split
+  this->CreditPiece(entry); // too small to be split
 }

@@ -53,6 +53,15 @@ public:
   /// Distance of a convex shape inside triangle t from triangle s, from its largest corner distance: zero where both
   /// are in one plane, else rounded up.
   double Raise(double distance, std::uint32_t t, std::uint32_t s) const;
+  /// A triangle, the one that it was held against by a piece, and their distance, rounded up.
+  struct Credited
+  {
+    std::uint32_t From;
+    std::uint32_t To;
+    double Distance;
+  };
+  /// Of all pieces; what follows upon itself is there once.
+  const std::vector<Credited>& GetCredited() const { return this->PiecesCredited; }
   /// Bounds and credits a triangle by pieces; guesses are triangles (or None) to begin with.
   void Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget);
 
@@ -80,6 +89,7 @@ private:
   {
     double Bound = std::numeric_limits<double>::infinity();
     std::uint32_t Triangle = None;
+    double Distance = 0.0; // what the bound has of it
   };
   struct Entry
   {
@@ -95,6 +105,7 @@ private:
   bool IsCoplanar(std::uint32_t t, std::uint32_t s) const;
   void Improve(Entry& entry, std::uint32_t s) const;
   bool Accept(const Entry& entry, double trueHere);
+  void CreditPiece(const Entry& entry);
   void BoundPieces(const Entry& whole, std::size_t& budget);
   void BoundPiece(Entry entry);
   bool CutAlong(const Entry& entry);
@@ -107,6 +118,7 @@ private:
   vtkMTDeviation& Result;
   std::vector<double> BoundOfTriangle;
   std::vector<double> BoundOnTriangle;
+  std::vector<Credited> PiecesCredited;
   std::vector<Entry> Stack;
   std::size_t Halvings = 0; // of pieces of the triangle that is bounded
 };

@@ -27,6 +27,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   double FeatureAngle = -1.0; ///< of made normals, degrees; below 0: chosen by the mesh
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
+  bool CertifyNormals = false;
   std::vector<std::string> LabelArrays; ///< names of arrays that are labels, whatever their type
   std::vector<std::string> ValueArrays; ///< and of those that are values
   double Reduction = 2.0;               ///< of a level: the strategy's (vtkMTPartitionStrategy::GetReduction), above 1

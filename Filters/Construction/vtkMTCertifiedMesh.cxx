@@ -10,7 +10,11 @@ void vtkMTCertifiedMesh::Put(vtkMTBytes::Writer& writer) const
 {
   vtkMTPatchRecord::Put(this->Mesh, writer);
   const bool isZero = std::all_of(this->Deviations.begin(), this->Deviations.end(),
-    [](const vtkMTTriangleDeviation& deviation) { return deviation.ToInput == 0.0f && deviation.FromInput == 0.0f; });
+    [](const vtkMTTriangleDeviation& deviation)
+    {
+      return deviation.ToInput == 0.0f && deviation.FromInput == 0.0f && deviation.NormalToInput == 0 &&
+        deviation.NormalFromInput == 0;
+    });
   writer.PutList(isZero ? std::vector<vtkMTTriangleDeviation>() : this->Deviations);
 }
 

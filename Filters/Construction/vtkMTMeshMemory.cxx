@@ -21,7 +21,7 @@ constexpr double CopiesOfFloor = 5.0;
 constexpr double PerSplitTriangle = 300.0;
 constexpr double CopiesOfSplit = 4.0;
 // What a record of a patch has per triangle beside values.
-constexpr double PerRecordTriangle = 22.0;
+constexpr double PerRecordTriangle = 26.0;
 // The sample, and the seeds' relaxation: bytes per triangle of the mesh.
 constexpr double Sample = 1.5;
 // The DAG's records in builder, graph and sink: bytes per patch.
@@ -33,7 +33,7 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   const double triangles = static_cast<double>(input.GetNumberOfTriangles());
   const double points = static_cast<double>(input.GetNumberOfPoints());
   double pointValues = 12.0 + (settings.ExactPoints ? 24.0 : 0.0); // normals and residuals
-  double cellValues = 16.0;                                        // ids and deviations
+  double cellValues = 20.0;                                        // ids and deviations
   for (const vtkMTArrayInfo& array : input.GetArrays())
   {
     (array.Association == vtkMTArrayInfo::Point ? pointValues : cellValues) +=

@@ -6,6 +6,7 @@
 #include "vtkMTCoarsePoints.h"
 #include "vtkMTDeviation.h"
 #include "vtkMTPatchSplitter.h"
+#include "vtkMTShadingNormals.h"
 #include "vtkMTSimplifier.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTSurface.h"
@@ -190,7 +191,7 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const C
   const vtkMTStageTimes::Scope certify(vtkMTStageTimes::Certify);
   this->Fragment.Mesh = MakeFragment(simplification, locked, floor);
   this->Certify(
-    floor, { std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) }, simplification, *context.Arrays);
+    floor, { std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) }, simplification, context);
   if (this->Fragment.Mesh.Triangles.size() > target)
   {
     this->Blocked = std::move(simplification.Blocked);
@@ -198,21 +199,39 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const C
   return true;
 }
 
-// Bounds the fragment's deviation, rounds its points, and gives it the floor's attributes.
+// Bounds the fragment's deviation, rounds its points, and gives it the floor's attributes, normals among them, whose
+// deviation is bounded by what the distance's bound rests on. Rounding moves points and their normals alike.
 void vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation,
-  vtkMTSimplification& simplification, const std::vector<vtkMTArrayInfo>& arrays)
+  vtkMTSimplification& simplification, const Context& context)
 {
   vtkMTPatch& mesh = this->Fragment.Mesh;
   const vtkMTPoint origin = GetMiddle(floor);
   const vtkMTSurface floorSurface(floor, origin);
   const vtkMTSurface fragmentSurface(mesh, origin);
   vtkMTDeviation::Findings findings;
+  findings.KeepPairs = context.CertifyNormals;
   this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
   this->EdgeLength = mesh.GetMeanEdgeLength();
   this->RoundPoints(findings.Deviations);
   simplification.Points = mesh.Points;
+  const std::vector<vtkMTArrayInfo>& arrays = *context.Arrays;
   vtkMTAttributeTransfer::Run({ floor, floorSurface, fragmentSurface, simplification, findings }, arrays, mesh);
+  if (context.CertifyNormals)
+  {
+    this->CertifyNormals(floor, floorSurface, fragmentSurface, relation, context, findings);
+  }
   this->Fragment.Deviations = std::move(findings.Deviations);
+}
+
+void vtkMTRegionStep::CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface,
+  const vtkMTSurface& fragmentSurface, const vtkMTDeviation::Relation& relation, const Context& context,
+  vtkMTDeviation::Findings& findings)
+{
+  const vtkMTShadingNormals shading(*context.Arrays);
+  const std::vector<std::array<float, 3>> floorNormals = shading.Get(floor);
+  const std::vector<std::array<float, 3>> normals = shading.Get(this->Fragment.Mesh);
+  this->NormalDeviation = vtkMTNormalDeviation::Add({ floorSurface, floorNormals }, { fragmentSurface, normals },
+    { relation.FloorDeviations, context.FloorLevel == 0, shading.GetRounding() }, findings);
 }
 
 void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations)
@@ -225,7 +244,8 @@ void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& deviation
   for (std::size_t t = 0; t < deviations.size() && way > 0.0; ++t)
   {
     vtkMTTriangleDeviation& deviation = deviations[t];
-    deviation = { add(deviation.ToInput + way), add(deviation.FromInput + way) };
+    deviation.ToInput = add(deviation.ToInput + way);
+    deviation.FromInput = add(deviation.FromInput + way);
     this->Error = std::max({ this->Error, double(deviation.ToInput), double(deviation.FromInput) });
   }
 }

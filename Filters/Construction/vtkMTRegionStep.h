@@ -12,9 +12,11 @@
 
 #include "vtkMTCertifiedMesh.h"
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTNormalDeviation.h"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,9 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 {
   vtkMTCertifiedMesh Fragment; ///< points that are shared with other regions come first, with their ids
   std::size_t FloorTriangles = 0;
-  double Error = 0.0;                          ///< certified distance of fragment and input, in steps of the lattice
+  double Error = 0.0; ///< certified distance of fragment and input, in steps of the lattice
+  /// Certified angles between the normals of fragment and input.
+  std::optional<vtkMTNormalDeviation::Angles> NormalDeviation;
   double EdgeLength = 0.0;                     ///< mean, in steps
   bool HasFullySharedBorder = false;           ///< BMT section 3.2, condition 3, is violated here
   std::map<std::string, std::int64_t> Blocked; ///< filled when the target was missed
@@ -36,7 +40,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
     const std::vector<vtkMTArrayInfo>* Arrays;
     const std::vector<std::uint64_t>* LockedIds; ///< sorted
     std::uint32_t FloorLevel;
-    double Reduction; ///< triangles of the floor over those of the fragment
+    double Reduction;            ///< triangles of the floor over those of the fragment
+    bool CertifyNormals = false; ///< or else there is no NormalDeviation
   };
 
   /// False on failure, with a message in error. floorPatches are consumed.
@@ -46,7 +51,9 @@ private:
   static vtkMTCertifiedMesh Assemble(
     std::vector<vtkMTCertifiedMesh>& patches, const std::vector<vtkMTArrayInfo>& arrays, std::string& error);
   void Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation, vtkMTSimplification& simplification,
-    const std::vector<vtkMTArrayInfo>& arrays);
+    const Context& context);
+  void CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface, const vtkMTSurface& fragmentSurface,
+    const vtkMTDeviation::Relation& relation, const Context& context, vtkMTDeviation::Findings& findings);
   void RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations);
 };
 

@@ -57,7 +57,7 @@ bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::
     return true; // a region that lost all its triangles to its neighbours
   }
   const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->State.Graph.Arrays, &records.Locks,
-    this->State.Level, this->Options.Reduction };
+    this->State.Level, this->Options.Reduction, this->Options.CertifyNormals };
   if (!result.Step.Run(records.Patches, context, error))
   {
     return false;
@@ -78,7 +78,13 @@ bool vtkMTSimplifyStep::PutFragment(std::uint32_t level, std::size_t region, con
   }
   state.SimplifiedTriangles += step.FloorTriangles;
   state.NodeOfFragment[region] = static_cast<std::uint32_t>(state.Nodes.size());
-  state.Nodes.push_back({ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength });
+  vtkMTBuildState::NodeRecord node{ level, static_cast<std::uint32_t>(region), step.Error, step.EdgeLength };
+  if (step.NormalDeviation)
+  {
+    node.NormalDeviation = step.NormalDeviation->Largest;
+    node.MeanNormalDeviation = step.NormalDeviation->Mean;
+  }
+  state.Nodes.push_back(node);
   state.Graph.FullySharedBorders += step.HasFullySharedBorder ? 1 : 0;
   for (const auto& [cause, edges] : step.Blocked)
   {

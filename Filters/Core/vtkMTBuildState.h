@@ -26,8 +26,10 @@ public:
   {
     std::uint32_t Level;
     std::uint32_t Region;
-    double Error;      // steps
-    double EdgeLength; // steps
+    double Error;                  // steps
+    double EdgeLength;             // steps
+    double NormalDeviation = -1.0; // radians; below 0: not certified
+    double MeanNormalDeviation = -1.0;
   };
 
   struct ArcRecord

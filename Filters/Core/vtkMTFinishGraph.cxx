@@ -23,6 +23,8 @@ std::vector<std::uint32_t> MakeNodes(const std::vector<vtkMTBuildState::NodeReco
   graph.Nodes.assign(order.size() + 2, vtkMTNode());
   graph.Nodes[0].Level = (records.empty() ? 0 : records[order[0]].Level) + 1;
   const double step = graph.Lattice.Step;
+  vtkMTMeasure largest{ vtkMTMeasure::NormalDeviation, std::vector<double>(graph.Nodes.size(), 0.0) };
+  vtkMTMeasure mean{ vtkMTMeasure::MeanNormalDeviation, largest.Values };
   for (std::uint32_t i = 0; i < order.size(); ++i)
   {
     const vtkMTBuildState::NodeRecord& record = records[order[i]];
@@ -32,7 +34,14 @@ std::vector<std::uint32_t> MakeNodes(const std::vector<vtkMTBuildState::NodeReco
     node.OwnError =
       record.Error > 0.0 ? std::nextafter(record.Error * step, std::numeric_limits<double>::infinity()) : 0.0;
     node.EdgeLength = record.EdgeLength * step;
+    largest.Values[i + 1] = record.NormalDeviation;
+    mean.Values[i + 1] = record.MeanNormalDeviation;
     nodeOf[order[i]] = i + 1;
+  }
+  if (!records.empty() && records[0].NormalDeviation >= 0.0)
+  {
+    graph.Measures.push_back(std::move(largest));
+    graph.Measures.push_back(std::move(mean));
   }
   return nodeOf;
 }

@@ -28,20 +28,6 @@ vtkMTSampledSurface LeaveOutFar(const vtkMTGraph& graph, vtkMTSampledSurface inp
   return input;
 }
 
-// The cut whose patches are those of one level: everything coarser is refined.
-vtkMTCut MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
-{
-  vtkMTCut cut(graph);
-  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
-  {
-    if (graph.Nodes[node].Level > level && !cut.IsRefined(node))
-    {
-      cut.RefineWithDependencies(node);
-    }
-  }
-  return cut;
-}
-
 double GetLargestError(const vtkMTGraph& graph, const std::vector<std::uint32_t>& arcs)
 {
   double error = 0.0;
@@ -96,6 +82,19 @@ vtkMTErrorSampling::vtkMTErrorSampling(
 
 vtkMTErrorSampling::~vtkMTErrorSampling() = default;
 
+vtkMTCut vtkMTErrorSampling::MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level)
+{
+  vtkMTCut cut(graph);
+  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+  {
+    if (graph.Nodes[node].Level > level && !cut.IsRefined(node))
+    {
+      cut.RefineWithDependencies(node);
+    }
+  }
+  return cut;
+}
+
 bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const vtkMTVerificationProgress& progress,
   CutSurface& cut, std::string& error) const
 {
@@ -108,16 +107,7 @@ bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const v
     {
       return false;
     }
-    const auto first = static_cast<std::uint32_t>(cut.Surface.Points.size());
-    for (const vtkMTPoint& point : patch.Points)
-    {
-      cut.Surface.Points.push_back(this->Frame.ToLocal(graph.Lattice.ToWorld(point)));
-    }
-    for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
-    {
-      const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
-      cut.Surface.Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
-    }
+    cut.Surface.Append(patch, graph.Lattice, this->Frame);
     cut.PointNodes.resize(cut.Surface.Points.size(), graph.Arcs[arc].To);
     cut.TriangleNodes.resize(cut.Surface.Triangles.size(), graph.Arcs[arc].To);
   }

@@ -29,6 +29,7 @@
 #include <vector>
 
 class vtkMTCut;
+class vtkMTGraph;
 class vtkMTPatchSource;
 
 class VTKMTVERIFICATION_EXPORT vtkMTErrorSampling
@@ -47,6 +48,9 @@ public:
   bool TestCut(
     const vtkMTCut& cut, const std::string& name, const vtkMTVerificationProgress& progress, std::string& error);
   ///@}
+
+  /// The cut whose patches are those of one level: everything coarser is refined.
+  static vtkMTCut MakeLevelCut(const vtkMTGraph& graph, std::uint32_t level);
 
   const vtkMTVerificationCheck& GetPatchToInput() const { return this->PatchToInput; }
   const vtkMTVerificationCheck& GetInputToCut() const { return this->InputToCut; }

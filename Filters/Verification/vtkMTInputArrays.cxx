@@ -138,14 +138,14 @@ bool vtkMTInputArrays::IsSameAtPairs(
     : input.What == Kind::Directions                                            ? DirectionRounding
                                                                                 : 0.0;
   Values a, b;
-  for (const vtkMTInputComparison::Pair& pair : this->Pairs)
+  const auto isSame = [&](const vtkMTInputComparison::Pair& pair, const vtkMTCounterparts::Counterpart& counterpart)
   {
     for (int corner = 0; corner < (input.IsOfCells ? 1 : 3); ++corner)
     {
       const std::uint32_t p = this->Input.Triangles[pair.Input][corner];
-      const std::uint32_t q = this->Model.Triangles[pair.Model][pair.Corners[corner]];
+      const std::uint32_t q = this->Model.Triangles[counterpart.Triangle][counterpart.Corners[corner]];
       input.Get(input.IsOfCells ? this->Input.Cells[pair.Input] : p, components, a);
-      model.Get(input.IsOfCells ? this->Model.Cells[pair.Model] : q, components, b);
+      model.Get(input.IsOfCells ? this->Model.Cells[counterpart.Triangle] : q, components, b);
       for (int c = 0; c < components; ++c)
       {
         const double rounding = std::max(allowed, exact * std::max(std::abs(a[c]), std::abs(b[c])));
@@ -157,7 +157,18 @@ bool vtkMTInputArrays::IsSameAtPairs(
         }
       }
     }
+    return true;
+  };
+  const auto isSameOnce = [&](const vtkMTInputComparison::Pair& pair)
+  {
+    return std::any_of(pair.Models.begin(), pair.Models.end(),
+      [&](const vtkMTCounterparts::Counterpart& counterpart) { return isSame(pair, counterpart); });
+  };
+  if (!std::all_of(this->Pairs.begin(), this->Pairs.end(), isSameOnce))
+  {
+    return false;
   }
+  difference.clear(); // of copies that are other ones
   return true;
 }
 
@@ -167,8 +178,12 @@ bool vtkMTInputArrays::HasSameNames(const Column& input, const Column& model, st
   std::map<double, double> valueOf, nameOf;
   for (const vtkMTInputComparison::Pair& pair : this->Pairs)
   {
+    if (pair.Models.size() > 1) // which of them it is, only names could say
+    {
+      continue;
+    }
     const double a = input.Array->GetComponent(this->Input.Cells[pair.Input], 0);
-    const double b = model.Array->GetComponent(this->Model.Cells[pair.Model], 0);
+    const double b = model.Array->GetComponent(this->Model.Cells[pair.Models[0].Triangle], 0);
     if (!std::isnan(a) && (valueOf.emplace(a, b).first->second != b || nameOf.emplace(b, a).first->second != a))
     {
       difference = "cells of '" + GetName(input.Array, a) + "' are mixed with others";
@@ -334,9 +349,13 @@ bool vtkMTInputArrays::IsThere(const Column& input, const Describer& describe, s
 {
   vtkDataSetAttributes* attributes = GetAttributes(this->ModelMesh, input.IsOfCells);
   vtkDataArray* const named = attributes->GetArray(input.Array->GetName());
-  if (named && (this->Matches(input, named, describe, difference) || input.What == Kind::Plain))
+  if (named && this->Matches(input, named, describe, difference))
   {
-    return difference.empty();
+    return true;
+  }
+  if (named && input.What == Kind::Plain)
+  {
+    return false;
   }
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTInputComparison.h"
 
-#include "vtkMTClosestPoint.h"
 #include "vtkMTCutMesh.h"
 #include "vtkMTGraph.h"
 #include "vtkMTInputArrays.h"
@@ -77,11 +76,18 @@ bool vtkMTInputComparison::Load(const vtkMTVerificationProgress& progress, std::
   vtkMTVerifyPolygons(nullptr).Split(this->ModelMesh, this->Model);
   double box[6];
   graph.GetBounds(box);
-  this->Keys = std::make_unique<vtkMTLatticeKeys>(graph.Lattice, box, this->Model);
-  vtkMTVerifyPolygons polygons([this](const Vector& a, const Vector& b) { return this->Keys->HasEdge(a, b); });
+  // Input that is read as it is comes to the very lattice points of the model.
+  double reach = 0.0;
+  for (int side = 0; this->Rounding > 0.0 && side < 6; ++side)
+  {
+    reach = std::max(reach, graph.Lattice.MaximumShift + this->Rounding * std::abs(box[side]));
+  }
+  this->Keys = std::make_unique<vtkMTLatticeKeys>(graph.Lattice, box, reach, this->Model);
+  vtkMTVerifyPolygons polygons(
+    [this](const Vector& a, const Vector& b, const Vector& c) { return this->Keys->CountTriangles(a, b, c); });
   polygons.Split(this->InputMesh, this->Original);
   this->Original.LeaveOutFar(graph);
-  this->InputKeys = std::make_unique<vtkMTLatticeKeys>(graph.Lattice, box, this->Original);
+  this->InputKeys = std::make_unique<vtkMTLatticeKeys>(graph.Lattice, box, 0.0, this->Original);
   this->OpenTriangles = polygons.GetOpenTriangles();
   this->OpenArea = polygons.GetOpenArea();
   this->OpenVolume = polygons.GetOpenVolume();
@@ -235,87 +241,63 @@ vtkMTVerificationCheck vtkMTInputComparison::TestVolume() const
   return check;
 }
 
-// The corners of the two triangles are the same ones; which is which is in the pair.
-bool vtkMTInputComparison::Match(std::uint32_t input, std::uint32_t model, Pair& pair) const
-{
-  const double allowed = this->Allowance * this->Frame.Scale + vtkMTMeasuringFrame::Tolerance;
-  const vtkMTTriangle& a = this->Input.Triangles[input];
-  const vtkMTTriangle& b = this->Model.Triangles[model];
-  std::array<bool, 3> taken{ false, false, false };
-  for (int i = 0; i < 3; ++i)
-  {
-    int best = -1;
-    double least = allowed;
-    for (int j = 0; j < 3; ++j)
-    {
-      const double distance = Length(Subtract(this->Input.Points[a[i]], this->Model.Points[b[j]]));
-      if (!taken[j] && distance <= least)
-      {
-        best = j;
-        least = distance;
-      }
-    }
-    if (best < 0)
-    {
-      return false;
-    }
-    taken[best] = true;
-    pair.Corners[i] = best;
-  }
-  pair.Input = input;
-  pair.Model = model;
-  return true;
-}
-
-// Triangles of the model that have the same corners, or the ones that are nearest to points of the input's triangle,
-// where rounding leads to other lattice points.
-std::vector<std::uint32_t> vtkMTInputComparison::FindCandidates(std::uint32_t t, const vtkMTClosestPoint& search) const
-{
-  const vtkMTTriangle& corners = this->Input.Triangles[t];
-  const auto& places = this->Original.Points;
-  std::vector<std::uint32_t> found =
-    this->Keys->FindTriangles(places[corners[0]], places[corners[1]], places[corners[2]]);
-  if (!found.empty())
-  {
-    return found;
-  }
-  const double weights[4][3] = { { 1, 1, 1 }, { 4, 1, 1 }, { 1, 4, 1 }, { 1, 1, 4 } };
-  for (const auto& weight : weights) // several, since others may pass through one
-  {
-    Vector x{ 0.0, 0.0, 0.0 };
-    for (int i = 0; i < 9; ++i)
-    {
-      x[i % 3] += weight[i / 3] * this->Input.Points[corners[i / 3]][i % 3] / (weight[0] + weight[1] + weight[2]);
-    }
-    const std::uint32_t nearest = search.Find(x).Triangle;
-    if (nearest != vtkMTClosestPoint::NoTriangle)
-    {
-      found.push_back(nearest);
-    }
-  }
-  return found;
-}
-
-// Several triangles with these corners lie on each other, or one is so thin that its nearest may be any.
+// One is so thin that its corners may be anything's, or depends on how a polygon is split.
 bool vtkMTInputComparison::IsUnclear(std::uint32_t t) const
 {
   const vtkMTTriangle& corners = this->Input.Triangles[t];
-  const auto& places = this->Original.Points;
   const auto& x = this->Input.Points;
   const double longest = std::max({ Length(Subtract(x[corners[1]], x[corners[0]])),
     Length(Subtract(x[corners[2]], x[corners[1]])), Length(Subtract(x[corners[0]], x[corners[2]])) });
   return this->Input.Slack[t] > 0.0 ||
-    2.0 * this->Input.GetArea(t) <= 8.0 * this->Allowance * this->Frame.Scale * longest ||
-    this->InputKeys->FindTriangles(places[corners[0]], places[corners[1]], places[corners[2]]).size() > 1;
+    2.0 * this->Input.GetArea(t) <= 8.0 * this->Allowance * this->Frame.Scale * longest;
+}
+
+void vtkMTInputComparison::TestTriangle(
+  std::uint32_t t, const vtkMTCounterparts& counterparts, vtkMTVerificationCheck& check)
+{
+  vtkMTCounterparts::Found found = counterparts.Find(t);
+  const std::int64_t mayTurn = this->GetCount("reoriented_triangles");
+  const std::size_t inputs = found.InputSame + found.InputTurned;
+  const std::size_t models = found.SameCount + found.TurnedCount;
+  const bool isLacking = found.Rank >= found.SameCount; // the model has fewer in this turn
+  const auto describe = [&] { return this->Describe(this->Input.Points[this->Input.Triangles[t][0]]); };
+  if (models == 0)
+  {
+    check.Fail("the triangle with a corner at " + describe() + " of the input is not in the model");
+    return;
+  }
+  if (isLacking && models < inputs)
+  {
+    check.Fail(Write("the triangle with a corner at ", describe(), " is ", inputs, " times in the input, ", models,
+      " times in the model"));
+    return;
+  }
+  this->Turned += isLacking ? 1 : 0;
+  if (isLacking && this->Turned > mayTurn)
+  {
+    check.Fail(Write("the triangle with a corner at ", describe(), " is turned over, and the model's report counts ",
+      mayTurn, " such"));
+  }
+  // Where triangles may be turned, or are, the turn does not say which is which.
+  Pair pair{ t, found.Same };
+  if (isLacking || mayTurn > 0)
+  {
+    pair.Models.insert(pair.Models.end(), found.Turned.begin(), found.Turned.end());
+  }
+  if (!this->Input.Mixed[t] && found.SameCount <= vtkMTCounterparts::CopiesLimit &&
+    found.TurnedCount <= vtkMTCounterparts::CopiesLimit)
+  {
+    this->Pairs.push_back(std::move(pair));
+  }
 }
 
 bool vtkMTInputComparison::TestOrientation(const vtkMTVerificationProgress& progress, vtkMTVerificationCheck& check)
 {
   const std::size_t count = this->Input.Triangles.size();
   const std::size_t stride = std::max<std::size_t>(1, (count + this->Limit - 1) / this->Limit);
-  const std::int64_t mayTurn = this->GetCount("reoriented_triangles");
-  const vtkMTClosestPoint search(this->Model);
-  std::int64_t turned = 0;
+  const double allowed = this->Allowance * this->Frame.Scale + vtkMTMeasuringFrame::Tolerance;
+  const vtkMTCounterparts counterparts(
+    *this->InputKeys, this->Original.Points, *this->Keys, this->Input, this->Model, allowed);
   for (std::size_t i = 0; i < count; i += stride)
   {
     if (i % (stride * 1024) == 0 && !progress("comparing triangles", 0.4 + 0.4 * static_cast<double>(i) / count))
@@ -323,29 +305,11 @@ bool vtkMTInputComparison::TestOrientation(const vtkMTVerificationProgress& prog
       return false;
     }
     const auto t = static_cast<std::uint32_t>(i);
-    if (this->IsUnclear(t))
+    if (!this->IsUnclear(t))
     {
-      continue;
+      ++check.Tested;
+      this->TestTriangle(t, counterparts, check);
     }
-    ++check.Tested;
-    Pair pair;
-    const std::vector<std::uint32_t> candidates = this->FindCandidates(t, search);
-    const auto isMatch = [&](std::uint32_t model) { return this->Match(t, model, pair); };
-    if (std::none_of(candidates.begin(), candidates.end(), isMatch))
-    {
-      check.Fail("the triangle with a corner at " + this->Describe(this->Input.Points[this->Input.Triangles[t][0]]) +
-        " of the input is not in the model");
-      continue;
-    }
-    const bool isTurned = (pair.Corners[1] + 3 - pair.Corners[0]) % 3 != 1;
-    turned += isTurned ? 1 : 0;
-    if (isTurned && turned > mayTurn)
-    {
-      check.Fail(
-        Write("the triangle with a corner at ", this->Describe(this->Input.Points[this->Input.Triangles[t][0]]),
-          " is turned over, and the model's report counts ", mayTurn, " such"));
-    }
-    this->Pairs.push_back(pair);
   }
   return true;
 }

@@ -5,8 +5,9 @@
  *
  * The checks: "input_triangles" (their number, with what the model's input report counts as dropped, each reason held
  * against the input's own count of it), "input_bounds", "input_area", "input_volume" (signed, about the middle of the
- * model), "input_orientation" (every triangle has its counterpart with the same corners in the same turn, as many as
- * the report does not count as turned) "input_arrays" (vtkMTInputArrays) and "labels" (vtkMTLabelCheck).
+ * model), "input_orientation" (every triangle has its counterpart with the same corners in the same turn, of n copies
+ * n, as many as the report does not count as turned: vtkMTCounterparts), "input_arrays" (vtkMTInputArrays) and "labels"
+ * (vtkMTLabelCheck).
  *
  * What is allowed follows from the lattice: a point moves by at most MaximumShift, s, and by the rounding that its
  * reader states. So bounds may differ by s, the area by s (|u| + |v|) + 2 s^2 for each triangle with the sides u and v,
@@ -16,6 +17,7 @@
 #ifndef vtkMTInputComparison_h
 #define vtkMTInputComparison_h
 
+#include "vtkMTCounterparts.h" // For vtkMTInputComparison::Pair
 #include "vtkMTMeasuringFrame.h"
 #include "vtkMTSampledSurface.h"
 #include "vtkMTVerificationCheck.h"
@@ -24,26 +26,24 @@
 #include "vtkPolyData.h" // For a member
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkMTClosestPoint;
 class vtkMTLatticeKeys;
 class vtkMTPatchSource;
 
 class VTKMTVERIFICATION_EXPORT vtkMTInputComparison
 {
 public:
-  /// A triangle of the input and its counterpart in the model; corner i of the input's is Corners[i] of the model's.
+  /// A triangle of the input and its counterpart in the model; several where faces lie on each other, which places
+  /// alone do not tell apart.
   struct Pair
   {
     std::uint32_t Input;
-    std::uint32_t Model;
-    std::array<int, 3> Corners;
+    std::vector<vtkMTCounterparts::Counterpart> Models;
   };
 
   /// What was compared, and with which allowance; in the frame's units, in which no volume is beyond double precision.
@@ -82,9 +82,8 @@ private:
   vtkMTVerificationCheck TestArea() const;
   vtkMTVerificationCheck TestVolume() const;
   bool TestOrientation(const vtkMTVerificationProgress& progress, vtkMTVerificationCheck& check);
-  std::vector<std::uint32_t> FindCandidates(std::uint32_t t, const vtkMTClosestPoint& search) const;
   bool IsUnclear(std::uint32_t t) const;
-  bool Match(std::uint32_t input, std::uint32_t model, Pair& pair) const;
+  void TestTriangle(std::uint32_t t, const vtkMTCounterparts& counterparts, vtkMTVerificationCheck& check);
   std::string Describe(const vtkMTRealPoint& local) const;
 
   const vtkMTPatchSource& Source;
@@ -104,6 +103,7 @@ private:
   double OpenVolume = 0.0;
   Figures InputFigures;
   Figures ModelFigures;
+  std::int64_t Turned = 0; // triangles
   std::vector<Pair> Pairs;
 };
 

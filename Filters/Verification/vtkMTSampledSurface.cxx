@@ -33,6 +33,7 @@ void vtkMTSampledSurface::LeaveOutFar(const vtkMTGraph& graph)
       {
         this->Cells[kept] = this->Cells[t];
         this->Slack[kept] = this->Slack[t];
+        this->Mixed[kept] = this->Mixed[t];
       }
       ++kept;
     }
@@ -41,6 +42,21 @@ void vtkMTSampledSurface::LeaveOutFar(const vtkMTGraph& graph)
   this->Triangles.resize(kept);
   this->Cells.resize(std::min(kept, this->Cells.size()));
   this->Slack.resize(std::min(kept, this->Slack.size()));
+  this->Mixed.resize(std::min(kept, this->Mixed.size()));
+}
+
+void vtkMTSampledSurface::Append(const vtkMTPatch& patch, const vtkMTLattice& lattice, const vtkMTMeasuringFrame& frame)
+{
+  const auto first = static_cast<std::uint32_t>(this->Points.size());
+  for (const vtkMTPoint& point : patch.Points)
+  {
+    this->Points.push_back(frame.ToLocal(lattice.ToWorld(point)));
+  }
+  for (std::size_t i = 0; i < patch.Triangles.size(); ++i)
+  {
+    const vtkMTTriangle t = patch.GetPointsOfTriangle(i);
+    this->Triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+  }
 }
 
 vtkMTRealBounds vtkMTSampledSurface::GetBounds() const

@@ -20,19 +20,21 @@
 #include <vector>
 
 class vtkMTGraph;
+struct vtkMTLattice;
 class vtkMTTriangleStream;
 
 struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
 {
   std::vector<vtkMTRealPoint> Points;
   std::vector<vtkMTTriangle> Triangles;
-  std::vector<vtkIdType> Cells; ///< of each triangle, where the surface is made of cells; else empty
-  std::vector<double> Slack;    ///< of each triangle, see vtkMTVerifyPolygons; empty: none has any
-  double Rounding = 0.0;        ///< what its coordinates may be off by, where they are calculated; model units
-  std::int64_t NonFinite = 0;   ///< triangles left out because a corner is NaN or infinite
-  std::int64_t OutOfRange = 0;  ///< triangles left out because an index is
-  std::int64_t FarOutliers = 0; ///< triangles left out because the model says that it lacks what is so far away
-  std::int64_t Degenerate = 0;  ///< triangles left out because two corners are at one place: no surface
+  std::vector<vtkIdType> Cells;     ///< of each triangle, where the surface is made of cells; else empty
+  std::vector<double> Slack;        ///< of each triangle, see vtkMTVerifyPolygons; empty: none has any
+  std::vector<unsigned char> Mixed; ///< of each triangle, likewise
+  double Rounding = 0.0;            ///< what its coordinates may be off by, where they are calculated; model units
+  std::int64_t NonFinite = 0;       ///< triangles left out because a corner is NaN or infinite
+  std::int64_t OutOfRange = 0;      ///< triangles left out because an index is
+  std::int64_t FarOutliers = 0;     ///< triangles left out because the model says that it lacks what is so far away
+  std::int64_t Degenerate = 0;      ///< triangles left out because two corners are at one place: no surface
 
   /**
    * The stream's triangles, without those that are no surface. False on failure, which is explained in error, and when
@@ -44,6 +46,9 @@ struct VTKMTVERIFICATION_EXPORT vtkMTSampledSurface
   /// The builder leaves out what is far outside of everything else, where the graph's input report says so. What that
   /// is shows here by itself: it lies at least one extent outside of the model.
   void LeaveOutFar(const vtkMTGraph& graph);
+
+  /// Adds a patch, its points in the coordinates of the frame.
+  void Append(const vtkMTPatch& patch, const vtkMTLattice& lattice, const vtkMTMeasuringFrame& frame);
 
   vtkMTRealBounds GetBounds() const;
   void Transform(const vtkMTMeasuringFrame& frame);

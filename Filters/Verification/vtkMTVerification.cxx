@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTVerification.h"
 
+#include "Sampling/vtkMTNormalSampling.h"
 #include "vtkMTGraph.h"
 #include "vtkMTInputComparison.h"
 #include "vtkMTPatchSource.h"
@@ -16,6 +17,8 @@ namespace
 {
 // Random cuts that are measured against the input, beside one for every level: each costs a search structure.
 constexpr std::size_t MeasuredCutsLimit = 8;
+// Samples for angles on each surface: each may cost a search among many triangles.
+constexpr std::size_t NormalSamplesLimit = 20000;
 // Triangles of the input that are looked up one by one in the model.
 constexpr std::size_t ComparedTrianglesLimit = 200000;
 
@@ -60,7 +63,8 @@ bool vtkMTVerification::Run(const Input& input, std::string& error)
   this->Step = 0.0;
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::size_t measuredCuts = std::min(this->Setting.Cuts, MeasuredCutsLimit);
-  this->Steps = !input.IsEmpty() ? 4.0 + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
+  const double normals = graph.FindMeasure(vtkMTMeasure::NormalDeviation) ? 1.0 : 0.0;
+  this->Steps = !input.IsEmpty() ? 4.0 + normals + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
   if (!this->TestStructure())
   {
     return false;
@@ -203,5 +207,32 @@ bool vtkMTVerification::TestErrors(vtkMTSampledSurface&& surface, std::string& e
   result.OutOfRange = sampling.GetInput().OutOfRange;
   result.Degenerate = sampling.GetInput().Degenerate;
   result.FarOutliers = sampling.GetInput().FarOutliers;
-  return true;
+  return this->TestNormals(error);
+}
+
+bool vtkMTVerification::TestNormals(std::string& error)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  vtkMTNormalSampling sampling(this->Source, std::min(this->Setting.Samples, NormalSamplesLimit), this->Setting.Seed);
+  if (!sampling.HasMeasure())
+  {
+    return true;
+  }
+  const vtkMTVerificationProgress progress = this->NextStep();
+  const std::uint32_t levels = graph.GetNumberOfLevels();
+  const auto cuts = static_cast<std::uint32_t>(std::min(this->Setting.Cuts, MeasuredCutsLimit));
+  bool done = sampling.Begin([&](const std::string& step, double) { return progress(step, 0.0); }, error);
+  for (std::uint32_t i = 0; done && i < levels + cuts; ++i)
+  {
+    const bool isLevel = i < levels;
+    const vtkMTCut cut = isLevel ? vtkMTErrorSampling::MakeLevelCut(graph, i)
+                                 : vtkMTRandomCut::Make(graph, this->Setting.Seed, i - levels);
+    const std::string name =
+      isLevel ? "the cut of level " + std::to_string(i) : "random cut " + std::to_string(i - levels);
+    done = sampling.TestCut(
+      cut, name, [&](const std::string& step, double share) { return progress(step, (i + share) / (levels + cuts)); },
+      error);
+  }
+  this->Checked.Checks.push_back(sampling.GetCheck());
+  return done;
 }

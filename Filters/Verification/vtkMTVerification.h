@@ -5,9 +5,10 @@
  *
  * First the model by itself (vtkMTStructureCheck). When all of it is sound, and an input is given, this is read another
  * way than the builder's (vtkMTVerifyInput) and held against the finest level (vtkMTInputComparison); then the
- * certified errors (vtkMTErrorSampling): for every level, and for some random cuts. An input that cannot be read
- * another way is read by the opener for the errors alone, and the check "input_reading" says so; it has tested nothing
- * then. A model that is not sound has no cuts and distances that would mean anything, so its input is not even opened.
+ * certified errors (vtkMTErrorSampling), and angles where the model has them (vtkMTNormalSampling): for every level,
+ * and for some random cuts. An input that cannot be read another way is read by the opener for the errors alone, and
+ * the check "input_reading" says so; it has tested nothing then. A model that is not sound has no cuts and distances
+ * that would mean anything, so its input is not even opened.
  */
 #ifndef vtkMTVerification_h
 #define vtkMTVerification_h
@@ -87,6 +88,7 @@ private:
   bool Compare(vtkPolyData* mesh, double rounding, vtkMTSampledSurface& surface, std::string& error);
   bool OpenInput(const InputOpener& open, vtkMTSampledSurface& surface, std::string& error);
   bool TestErrors(vtkMTSampledSurface&& surface, std::string& error);
+  bool TestNormals(std::string& error);
   vtkMTVerificationProgress NextStep();
 
   const vtkMTPatchSource& Source;

@@ -18,6 +18,9 @@ namespace
 // Clipping takes the square of the corners: larger polygons are left open.
 constexpr std::size_t CornersLimit = 4000;
 
+// How often the clipping begins anew where the model's triangles lead nowhere.
+constexpr std::size_t StartsLimit = 8;
+
 // What rounding may make of a flat triangle, as a share of its polygon.
 constexpr double FlatShare = 1e-9;
 
@@ -26,113 +29,172 @@ double Length(const Vector& a)
   return std::hypot(a[0], a[1], a[2]);
 }
 
-template <class Corner>
-double Turn(const Corner& a, const Corner& b, const Corner& c)
+// The same for all copies of a triangle in one turn.
+std::uint64_t GetKey(const Vector& a, const Vector& b, const Vector& c)
 {
-  return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
-}
-
-template <class Corner>
-bool IsSamePlace(const Corner& a, const Corner& b)
-{
-  return a.Place == b.Place;
-}
-
-template <class Corner>
-bool IsBetween(const Corner& a, const Corner& b, const Corner& x)
-{
-  return (x.X - a.X) * (x.X - b.X) + (x.Y - a.Y) * (x.Y - b.Y) < 0.0;
-}
-}
-
-bool vtkMTVerifyPolygons::IsEar(const std::vector<Corner>& corners, std::size_t index, bool isFlatAllowed)
-{
-  const std::size_t n = corners.size();
-  const Corner& a = corners[(index + n - 1) % n];
-  const Corner& b = corners[index];
-  const Corner& c = corners[(index + 1) % n];
-  const double turn = Turn(a, b, c);
-  if (isFlatAllowed && turn == 0.0)
+  const Vector* corners[3] = { &a, &b, &c };
+  std::rotate(corners, std::min_element(corners, corners + 3, [](const Vector* x, const Vector* y) { return *x < *y; }),
+    corners + 3);
+  std::uint64_t key = 0;
+  for (const Vector* corner : corners)
   {
-    return true;
-  }
-  if (!(turn > 0.0))
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const Corner& x = corners[i];
-    const Corner& y = corners[(i + 1) % n];
-    const double side = Turn(c, a, x);
-    if (!IsSamePlace(x, a) && !IsSamePlace(x, b) && !IsSamePlace(x, c))
+    for (double x : *corner)
     {
-      const bool isInside = Turn(a, b, x) > 0.0 && Turn(b, c, x) > 0.0 && side > 0.0;
-      if (isInside || (side == 0.0 && IsBetween(a, c, x)))
-      {
-        return false;
-      }
-    }
-    const double otherSide = Turn(c, a, y);
-    const bool isCrossing =
-      ((side > 0.0 && otherSide < 0.0) || (side < 0.0 && otherSide > 0.0)) && Turn(x, y, a) * Turn(x, y, c) < 0.0;
-    if (isCrossing)
-    {
-      return false;
+      key = (key + std::hash<double>()(x)) * 0x9e3779b97f4a7c15u;
+      key ^= key >> 29;
     }
   }
-  return true;
+  return key;
 }
 
-// Of the ears whose diagonal is wanted the one with the shortest; -1 when there is none.
-int vtkMTVerifyPolygons::FindEar(const std::vector<Corner>& corners, const EdgeTest& isWanted, bool isFlatAllowed)
+}
+
+// The first ear from the start on that is a triangle of the model, a flat one when there is no other; -1 when there is
+// none.
+int vtkMTVerifyPolygons::FindEarOfModel(const std::vector<Corner>& corners, std::size_t start, Choice choice) const
 {
   const std::size_t n = corners.size();
-  int best = -1;
-  double shortest = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
+  for (const bool isFlatAllowed : { false, true })
   {
-    const Corner& a = corners[(i + n - 1) % n];
-    const Corner& c = corners[(i + 1) % n];
-    const double length = Length(Subtract(a.Place, c.Place));
-    if ((best < 0 || length < shortest) && (!isWanted || isWanted(a.Place, c.Place)) &&
-      IsEar(corners, i, isFlatAllowed))
+    for (std::size_t k = 0; k < n; ++k)
     {
-      best = static_cast<int>(i);
-      shortest = length;
-      if (isWanted)
+      const std::size_t i = (start + k) % n;
+      if (this->IsOfModel(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n], choice) &&
+        vtkMTVerifyEars::IsEar(corners, i, isFlatAllowed))
       {
-        break; // the model's choice: any order of its ears gives the same triangles
+        return static_cast<int>(i);
       }
     }
   }
-  return best;
+  return -1;
 }
 
-bool vtkMTVerifyPolygons::Clip(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles, bool& isOfModel) const
+// A model has no triangle with two corners at one place, though the polygon may have such corners.
+bool vtkMTVerifyPolygons::IsOfModel(const Corner& a, const Corner& b, const Corner& c, Choice choice) const
+{
+  const auto isThere = [&](const vtkMTRealPoint& x, const vtkMTRealPoint& y, const vtkMTRealPoint& z)
+  {
+    const std::size_t copies = this->CountTriangles(x, y, z);
+    return copies > 0 && (!choice.IsUnusedOnly || copies > this->GetUses(x, y, z));
+  };
+  return vtkMTVerifyEars::IsSamePlace(a, b) || vtkMTVerifyEars::IsSamePlace(b, c) ||
+    vtkMTVerifyEars::IsSamePlace(c, a) || isThere(a.Place, b.Place, c.Place) ||
+    (choice.IsTurnedAllowed && isThere(a.Place, c.Place, b.Place));
+}
+
+std::size_t vtkMTVerifyPolygons::GetUses(
+  const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c) const
+{
+  const auto found = this->Uses.find(GetKey(a, b, c));
+  return found == this->Uses.end() ? 0 : found->second;
+}
+
+// The face has these triangles of the model: they are no other one's.
+void vtkMTVerifyPolygons::Use(const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c)
+{
+  const bool isTurned =
+    this->CountTriangles(a, b, c) <= this->GetUses(a, b, c) && this->CountTriangles(a, c, b) > this->GetUses(a, c, b);
+  ++this->Uses[isTurned ? GetKey(a, c, b) : GetKey(a, b, c)];
+}
+
+// Any order of the ears of one triangulation gives its triangles. Where several polygons lie on each other, ears of
+// several triangulations may be mixed until nothing fits; another start mixes them otherwise.
+bool vtkMTVerifyPolygons::ClipAsModel(
+  const Polygon& polygon, std::size_t start, Choice choice, std::vector<vtkMTTriangle>& triangles) const
 {
   std::vector<Corner> corners = polygon.Corners;
+  triangles.clear();
   while (corners.size() > 3)
   {
-    int ear = this->IsEdge ? FindEar(corners, this->IsEdge, false) : -1;
-    isOfModel = isOfModel && ear >= 0;
-    ear = ear < 0 ? FindEar(corners, nullptr, false) : ear;
-    ear = ear < 0 ? FindEar(corners, nullptr, true) : ear;
+    const int ear = this->FindEarOfModel(corners, start, choice);
     if (ear < 0)
     {
       return false;
     }
-    const std::size_t n = corners.size();
-    const auto i = static_cast<std::size_t>(ear);
-    triangles.push_back({ corners[(i + n - 1) % n].Point, corners[i].Point, corners[(i + 1) % n].Point });
-    corners.erase(corners.begin() + ear);
+    vtkMTVerifyEars::Cut(corners, static_cast<std::size_t>(ear), triangles);
+    start = static_cast<std::size_t>(ear);
   }
   triangles.push_back({ corners[0].Point, corners[1].Point, corners[2].Point });
-  return Turn(corners[0], corners[1], corners[2]) >= -FlatShare * polygon.Area;
+  return this->IsOfModel(corners[0], corners[1], corners[2], choice) &&
+    vtkMTVerifyEars::GetTurn(corners[0], corners[1], corners[2]) >= -FlatShare * polygon.Area;
+}
+
+// Whether the model has all triangles of another split of the polygon too. Then another face lies there.
+bool vtkMTVerifyPolygons::HasOtherSplit(const Polygon& polygon, std::vector<vtkMTTriangle> triangles) const
+{
+  const auto sort = [](vtkMTTriangle triangle)
+  {
+    std::sort(triangle.begin(), triangle.end());
+    return triangle;
+  };
+  std::transform(triangles.begin(), triangles.end(), triangles.begin(), sort);
+  std::sort(triangles.begin(), triangles.end());
+  const std::vector<Corner>& corners = polygon.Corners;
+  const std::size_t n = corners.size();
+  std::size_t starts = 0;
+  std::vector<vtkMTTriangle> other;
+  for (std::size_t i = 0; i < n && starts < StartsLimit; ++i)
+  {
+    const Corner& a = corners[(i + n - 1) % n];
+    const Corner& c = corners[(i + 1) % n];
+    const vtkMTTriangle ear = sort({ a.Point, corners[i].Point, c.Point });
+    if (!std::binary_search(triangles.begin(), triangles.end(), ear) && this->IsOfModel(a, corners[i], c, Choice()) &&
+      vtkMTVerifyEars::IsEar(corners, i, false))
+    {
+      ++starts;
+      if (this->ClipAsModel(polygon, i, Choice(), other))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool vtkMTVerifyPolygons::ClipAsModel(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles) const
+{
+  const Choice choices[] = { { true, false }, { true, true }, { false, false }, { false, true } };
+  for (const Choice& choice : choices)
+  {
+    for (std::size_t start = 0; start < std::min(polygon.Corners.size(), StartsLimit); ++start)
+    {
+      if (this->ClipAsModel(polygon, start, choice, triangles))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool vtkMTVerifyPolygons::Clip(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles, bool& isOfModel) const
+{
+  isOfModel = this->CountTriangles && this->ClipAsModel(polygon, triangles);
+  if (isOfModel)
+  {
+    return true;
+  }
+  std::vector<Corner> corners = polygon.Corners;
+  triangles.clear();
+  std::size_t start = 0;
+  while (corners.size() > 3)
+  {
+    int ear = this->CountTriangles ? this->FindEarOfModel(corners, start, { false, true }) : -1;
+    ear = ear < 0 ? vtkMTVerifyEars::FindShortestEar(corners, false) : ear;
+    ear = ear < 0 ? vtkMTVerifyEars::FindShortestEar(corners, true) : ear;
+    if (ear < 0)
+    {
+      return false;
+    }
+    start = static_cast<std::size_t>(ear);
+    vtkMTVerifyEars::Cut(corners, start, triangles);
+  }
+  triangles.push_back({ corners[0].Point, corners[1].Point, corners[2].Point });
+  return vtkMTVerifyEars::GetTurn(corners[0], corners[1], corners[2]) >= -FlatShare * polygon.Area;
 }
 
 void vtkMTVerifyPolygons::AddTriangle(
-  const vtkMTTriangle& triangle, vtkIdType cell, double slack, vtkMTSampledSurface& surface)
+  const vtkMTTriangle& triangle, vtkIdType cell, double slack, bool isMixed, vtkMTSampledSurface& surface)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -145,54 +207,14 @@ void vtkMTVerifyPolygons::AddTriangle(
   surface.Triangles.push_back(triangle);
   surface.Cells.push_back(cell);
   surface.Slack.push_back(slack);
-}
-
-// Into the plane of the area vector.
-vtkMTVerifyPolygons::Polygon vtkMTVerifyPolygons::Project(
-  const std::vector<vtkIdType>& ids, const vtkMTSampledSurface& surface)
-{
-  const std::size_t n = ids.size();
-  Polygon polygon;
-  Vector area{ 0.0, 0.0, 0.0 };
-  Vector middle{ 0.0, 0.0, 0.0 };
-  const Vector& first = surface.Points[static_cast<std::size_t>(ids[0])];
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const auto id = static_cast<std::uint32_t>(ids[i]);
-    polygon.Corners.push_back({ id, surface.Points[id], 0.0, 0.0 });
-    const Vector a = Subtract(surface.Points[id], first);
-    const Vector term = Cross(a, Subtract(surface.Points[static_cast<std::size_t>(ids[(i + 1) % n])], first));
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      area[axis] += 0.5 * term[axis];
-      middle[axis] += a[axis] / static_cast<double>(n);
-    }
-  }
-  polygon.Area = Length(area);
-  const Vector normal{ area[0] / polygon.Area, area[1] / polygon.Area, area[2] / polygon.Area };
-  const auto isSmaller = [&](double x, double y) { return std::abs(x) < std::abs(y); };
-  Vector u{ 0.0, 0.0, 0.0 };
-  u[static_cast<std::size_t>(std::min_element(normal.begin(), normal.end(), isSmaller) - normal.begin())] = 1.0;
-  u = Cross(normal, u);
-  const double length = Length(u);
-  u = { u[0] / length, u[1] / length, u[2] / length };
-  const Vector v = Cross(normal, u);
-  for (Corner& corner : polygon.Corners)
-  {
-    const Vector a = Subtract(Subtract(corner.Place, first), middle);
-    corner.X = Dot(a, u);
-    corner.Y = Dot(a, v);
-    polygon.Thickness = std::max(polygon.Thickness, 2.0 * std::abs(Dot(a, normal)));
-    polygon.Reach = std::max(polygon.Reach, 2.0 * Length(a));
-  }
-  return polygon;
+  surface.Mixed.push_back(isMixed ? 1 : 0);
 }
 
 void vtkMTVerifyPolygons::AddPolygon(const std::vector<vtkIdType>& ids, vtkIdType cell, vtkMTSampledSurface& surface)
 {
-  const Polygon polygon = Project(ids, surface);
+  const Polygon polygon = vtkMTVerifyEars::Project(ids, surface);
   std::vector<vtkMTTriangle> triangles;
-  bool isOfModel = true;
+  bool isOfModel = false;
   const bool isSimple = polygon.Area > 0.0 && ids.size() <= CornersLimit && this->Clip(polygon, triangles, isOfModel);
   if (!isSimple)
   {
@@ -205,11 +227,16 @@ void vtkMTVerifyPolygons::AddPolygon(const std::vector<vtkIdType>& ids, vtkIdTyp
     this->OpenTriangles += static_cast<std::int64_t>(ids.size());
   }
   const double slack = isSimple ? (isOfModel ? 0.0 : polygon.Thickness) : polygon.Reach;
+  const bool isMixed = isOfModel && this->HasOtherSplit(polygon, triangles);
   const std::int64_t degenerate = surface.Degenerate;
   const std::size_t before = surface.Triangles.size();
   for (const vtkMTTriangle& triangle : triangles)
   {
-    this->AddTriangle(triangle, cell, slack, surface);
+    this->AddTriangle(triangle, cell, slack, isMixed, surface);
+    if (isOfModel)
+    {
+      this->Use(surface.Points[triangle[0]], surface.Points[triangle[1]], surface.Points[triangle[2]]);
+    }
   }
   this->OpenTriangles += surface.Degenerate - degenerate;
   double sum = 0.0;
@@ -221,44 +248,9 @@ void vtkMTVerifyPolygons::AddPolygon(const std::vector<vtkIdType>& ids, vtkIdTyp
   this->OpenVolume += slack * sum;
 }
 
-void vtkMTVerifyPolygons::Split(vtkPolyData* mesh, vtkMTSampledSurface& surface)
+template <class Add>
+void vtkMTVerifyPolygons::VisitFaces(vtkPolyData* mesh, const Add& add)
 {
-  surface = vtkMTSampledSurface();
-  surface.Points.resize(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    mesh->GetPoint(i, surface.Points[static_cast<std::size_t>(i)].data());
-  }
-  const auto add = [&](const std::vector<vtkIdType>& ids, vtkIdType cell)
-  {
-    const auto triangles = static_cast<std::int64_t>(ids.size()) - 2;
-    const auto isNone = [&](vtkIdType id) { return id < 0 || id >= mesh->GetNumberOfPoints(); };
-    const auto isInfinite = [&](vtkIdType id)
-    {
-      const Vector& x = surface.Points[static_cast<std::size_t>(id)];
-      return !std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]);
-    };
-    if (triangles < 1)
-    {
-      return;
-    }
-    const bool isMissing = std::any_of(ids.begin(), ids.end(), isNone);
-    if (isMissing || std::any_of(ids.begin(), ids.end(), isInfinite))
-    {
-      (isMissing ? surface.OutOfRange : surface.NonFinite) += triangles;
-      this->OpenTriangles += triangles - 1; // of a polygon the builder may keep what lies beside the corner
-    }
-    else if (triangles > 1)
-    {
-      this->AddPolygon(ids, cell, surface);
-    }
-    else
-    {
-      this->AddTriangle(
-        { static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]), static_cast<std::uint32_t>(ids[2]) },
-        cell, 0.0, surface);
-    }
-  };
   vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < mesh->GetPolys()->GetNumberOfCells(); ++i, ++cell)
@@ -275,4 +267,63 @@ void vtkMTVerifyPolygons::Split(vtkPolyData* mesh, vtkMTSampledSurface& surface)
       add({ ids->GetId(j - 2), ids->GetId(j - 1 + odd), ids->GetId(j - odd) }, cell);
     }
   }
+}
+
+void vtkMTVerifyPolygons::AddFace(const std::vector<vtkIdType>& ids, vtkIdType cell, vtkMTSampledSurface& surface)
+{
+  const auto triangles = static_cast<std::int64_t>(ids.size()) - 2;
+  const auto count = static_cast<vtkIdType>(surface.Points.size());
+  const auto isNone = [&](vtkIdType id) { return id < 0 || id >= count; };
+  const auto isInfinite = [&](vtkIdType id)
+  {
+    const Vector& x = surface.Points[static_cast<std::size_t>(id)];
+    return !std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]);
+  };
+  if (triangles < 1)
+  {
+    return;
+  }
+  const bool isMissing = std::any_of(ids.begin(), ids.end(), isNone);
+  if (isMissing || std::any_of(ids.begin(), ids.end(), isInfinite))
+  {
+    (isMissing ? surface.OutOfRange : surface.NonFinite) += triangles;
+    this->OpenTriangles += triangles - 1; // of a polygon the builder may keep what lies beside the corner
+  }
+  else if (triangles > 1)
+  {
+    this->AddPolygon(ids, cell, surface);
+  }
+  else
+  {
+    this->AddTriangle(
+      { static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]), static_cast<std::uint32_t>(ids[2]) },
+      cell, 0.0, false, surface);
+  }
+}
+
+void vtkMTVerifyPolygons::Split(vtkPolyData* mesh, vtkMTSampledSurface& surface)
+{
+  surface = vtkMTSampledSurface();
+  surface.Points.resize(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    mesh->GetPoint(i, surface.Points[static_cast<std::size_t>(i)].data());
+  }
+  bool hasPolygons = false;
+  VisitFaces(mesh, [&](const std::vector<vtkIdType>& ids, vtkIdType) { hasPolygons = hasPolygons || ids.size() > 3; });
+  if (this->CountTriangles && hasPolygons) // what is a triangle already has no choice, so it goes first
+  {
+    VisitFaces(mesh,
+      [&](const std::vector<vtkIdType>& ids, vtkIdType)
+      {
+        const auto isThere = [&](vtkIdType id) { return id >= 0 && id < mesh->GetNumberOfPoints(); };
+        if (ids.size() == 3 && std::all_of(ids.begin(), ids.end(), isThere))
+        {
+          const std::vector<Vector>& x = surface.Points;
+          this->Use(x[static_cast<std::size_t>(ids[0])], x[static_cast<std::size_t>(ids[1])],
+            x[static_cast<std::size_t>(ids[2])]);
+        }
+      });
+  }
+  VisitFaces(mesh, [&](const std::vector<vtkIdType>& ids, vtkIdType cell) { this->AddFace(ids, cell, surface); });
 }

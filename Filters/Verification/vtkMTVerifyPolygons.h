@@ -6,8 +6,12 @@
  * Ears are clipped (Meisters 1975) in the plane of the polygon's area vector. An ear is taken only when its diagonal
  * crosses no edge and no other corner lies in it, so polygons with holes (bridge edges) and such that touch themselves
  * keep their area. A polygon that is bent, or has several triangulations, is no surface before its diagonals are
- * chosen: of all ears those come first whose diagonal the model has, which isEdge says. So every right choice of the
- * builder's gives the same triangles here, and a wrong one does not.
+ * chosen: of all ears those come first that are triangles of the model, which countTriangles says. So every right
+ * choice of the builder's gives the same triangles here, and a wrong one does not. That the model has an ear's diagonal
+ * would not do: it may be an edge of another face beside or upon the polygon. For the same reason a triangle of the
+ * model is used by as many faces as it has copies, and by those in its own turn before those in the opposite one, which
+ * are there where the builder was asked to turn triangles. Where faces that lie on each other are split in several
+ * ways, which one has which split cannot be told: their triangles are "mixed".
  *
  * Where the model has other diagonals, two surfaces of one bent polygon may be as far apart as it is thick: that is the
  * slack of its triangles, and of the sums of areas and volumes. A polygon that has no ears crosses itself; nothing is
@@ -18,10 +22,12 @@
 
 #include "vtkMTSampledSurface.h"
 #include "vtkMTVerificationModule.h" // For export macro
+#include "vtkMTVerifyEars.h"
 #include "vtkType.h"
 
 #include <cstdint>
 #include <functional>
+#include <unordered_map>
 #include <vector>
 
 class vtkPolyData;
@@ -29,14 +35,18 @@ class vtkPolyData;
 class VTKMTVERIFICATION_EXPORT vtkMTVerifyPolygons
 {
 public:
-  using EdgeTest = std::function<bool(const vtkMTRealPoint& a, const vtkMTRealPoint& b)>;
+  /// How many triangles the model has at a, b, c in this turn.
+  using TriangleCount =
+    std::function<std::size_t(const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c)>;
 
-  explicit vtkMTVerifyPolygons(EdgeTest isEdge)
-    : IsEdge(std::move(isEdge))
+  /// countTriangles: none when there is no model to follow.
+  explicit vtkMTVerifyPolygons(TriangleCount countTriangles)
+    : CountTriangles(std::move(countTriangles))
   {
   }
 
-  /// Fills the surface's points, triangles, cells and slack. Triangles that are no surface are left out and counted.
+  /// Fills the surface's points, triangles, cells, slack and what is mixed. Triangles that are no surface are left out
+  /// and counted.
   void Split(vtkPolyData* mesh, vtkMTSampledSurface& surface);
 
   ///@{
@@ -48,28 +58,34 @@ public:
   ///@}
 
 private:
-  struct Corner
-  {
-    std::uint32_t Point;
-    vtkMTRealPoint Place;
-    double X;
-    double Y;
-  };
-  struct Polygon
-  {
-    std::vector<Corner> Corners;
-    double Area = 0.0; ///< of the area vector: the least that any triangulation has
-    double Thickness = 0.0;
-    double Reach = 0.0;
-  };
-  static Polygon Project(const std::vector<vtkIdType>& ids, const vtkMTSampledSurface& surface);
-  void AddPolygon(const std::vector<vtkIdType>& ids, vtkIdType cell, vtkMTSampledSurface& surface);
-  void AddTriangle(const vtkMTTriangle& triangle, vtkIdType cell, double slack, vtkMTSampledSurface& surface);
-  bool Clip(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles, bool& isOfModel) const;
-  static int FindEar(const std::vector<Corner>& corners, const EdgeTest& isWanted, bool isFlatAllowed);
-  static bool IsEar(const std::vector<Corner>& corners, std::size_t index, bool isFlatAllowed);
+  using Corner = vtkMTVerifyEars::Corner;
+  using Polygon = vtkMTVerifyEars::Polygon;
 
-  const EdgeTest IsEdge;
+  void AddPolygon(const std::vector<vtkIdType>& ids, vtkIdType cell, vtkMTSampledSurface& surface);
+  void AddTriangle(
+    const vtkMTTriangle& triangle, vtkIdType cell, double slack, bool isMixed, vtkMTSampledSurface& surface);
+  void AddFace(const std::vector<vtkIdType>& ids, vtkIdType cell, vtkMTSampledSurface& surface);
+  template <class Add>
+  static void VisitFaces(vtkPolyData* mesh, const Add& add);
+
+  // Which triangles of the model a polygon may have.
+  struct Choice
+  {
+    bool IsUnusedOnly = false;
+    bool IsTurnedAllowed = false;
+  };
+  bool Clip(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles, bool& isOfModel) const;
+  bool ClipAsModel(const Polygon& polygon, std::vector<vtkMTTriangle>& triangles) const;
+  bool ClipAsModel(
+    const Polygon& polygon, std::size_t start, Choice choice, std::vector<vtkMTTriangle>& triangles) const;
+  bool HasOtherSplit(const Polygon& polygon, std::vector<vtkMTTriangle> triangles) const;
+  bool IsOfModel(const Corner& a, const Corner& b, const Corner& c, Choice choice) const;
+  std::size_t GetUses(const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c) const;
+  void Use(const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c);
+  int FindEarOfModel(const std::vector<Corner>& corners, std::size_t start, Choice choice) const;
+
+  const TriangleCount CountTriangles;
+  std::unordered_map<std::uint64_t, std::size_t> Uses; // of triangles of the model, by faces
   std::int64_t OpenTriangles = 0;
   double OpenArea = 0.0;
   double OpenVolume = 0.0;

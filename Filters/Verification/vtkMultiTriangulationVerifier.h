@@ -11,7 +11,9 @@
  * patch's error of the input) and "certified_input_to_cut" (every point of the input is no farther from a cut than the
  * largest error in that cut), for all vertices and for area-weighted samples, for the patches of every level, for one
  * cut for every level and for up to eight random cuts. The only allowance is 1e-12 of the model's size for the rounding
- * of coordinates.
+ * of coordinates. Where the model has certified angles between shading normals, "certified_normals" tests them in the
+ * same cuts: every sampled point has one of the finest level within the error whose normal is within the angle, and the
+ * other way round (1e-6 radians are allowed for single precision).
  *
  * It is independent of the builder: it has its own surface, sampling and closest point search, its own readers of the
  * input's files, and knows the model through vtkMTPatchSource alone. Files (AddInputFileName) are read by VTK's readers

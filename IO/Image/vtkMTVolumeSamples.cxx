@@ -273,8 +273,12 @@ bool vtkMTVolumeSamples::Gather(int first, int last, unsigned char* to, std::str
   for (std::size_t k = 0; k < slices; ++k)
   {
     const std::uint64_t begin = (static_cast<std::uint64_t>(first) + k) * stride[2];
-    const unsigned char* from = this->Decoded.data() + begin * this->ElementSize;
-    if (this->Decoded.empty())
+    const unsigned char* from = nullptr;
+    if (!this->Decoded.empty())
+    {
+      from = this->Decoded.data() + begin * this->ElementSize;
+    }
+    else
     {
       this->Slice.resize(elements * this->ElementSize);
       from = this->Slice.data();

@@ -6,6 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+constexpr double Straight = 3.14159265358979323846;
+}
+
 void vtkMTArcViews::Begin(
   const vtkMTGraph& graph, const std::vector<vtkMTView>& views, const vtkMTTargetCut::Settings& settings)
 {
@@ -20,11 +25,69 @@ void vtkMTArcViews::Begin(
   this->Options = settings;
   this->Threshold = views.empty() ? settings.ModelError : settings.PixelError;
   this->Eyes.clear();
+  const bool isOfNormals = settings.ErrorMetric == vtkMTTargetCut::NormalDeviation;
+  this->NormalDeviations = isOfNormals ? graph.FindMeasure(vtkMTMeasure::MeanNormalDeviation) : nullptr;
   for (const vtkMTView& view : views)
   {
-    this->Eyes.push_back({ vtkMTArcProjector(graph.Lattice, view),
-      settings.FacingCulling ? vtkMTArcViews::FindFacing(view) : std::nullopt });
+    const std::optional<Facing> side =
+      isOfNormals || settings.FacingCulling ? vtkMTArcViews::FindFacing(view) : std::nullopt;
+    this->Eyes.push_back(
+      { vtkMTArcProjector(graph.Lattice, view), settings.FacingCulling ? side : std::nullopt, side });
   }
+}
+
+double vtkMTArcViews::GetShadingLength(std::uint32_t node) const
+{
+  const double length = this->Graph->Nodes[node].EdgeLength;
+  switch (this->Options.ErrorMetric)
+  {
+    case vtkMTTargetCut::EdgeLength:
+      return length;
+    case vtkMTTargetCut::NormalDeviation:
+      return this->NormalDeviations ? length * std::sin(0.5 * std::min(this->NormalDeviations->Values[node], Straight))
+                                    : length;
+    default:
+      return 0.0;
+  }
+}
+
+// From 1, where the axis of the patch's normals points to the eye, down to a sixteenth where it points away: what is
+// seen from behind, on an open surface, is not to stay coarse however near it comes.
+double vtkMTArcViews::GetFacingShare(const vtkMTArc& arc, const Facing& side) const
+{
+  constexpr double least = 0.25;
+  double box[6];
+  this->Graph->Lattice.ToWorld(arc.Box, box);
+  double along = 0.0;
+  double axis2 = 0.0;
+  double sight2 = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double toward = side.Parallel ? -side.Viewer[i] : side.Viewer[i] - 0.5 * (box[2 * i] + box[2 * i + 1]);
+    along += side.Sign * toward * arc.ConeAxis[i];
+    axis2 += double(arc.ConeAxis[i]) * arc.ConeAxis[i];
+    sight2 += toward * toward;
+  }
+  const double lengths = std::sqrt(axis2 * sight2);
+  const double share = lengths > 0.0 ? std::max(least, 0.5 + 0.5 * along / lengths) : 1.0;
+  return std::min(1.0, share * share);
+}
+
+double vtkMTArcViews::GetWanted(
+  const vtkMTArc& arc, const Eye& eye, const vtkMTArcProjector::Depth& depth, double certified) const
+{
+  if (this->Options.ErrorMetric == vtkMTTargetCut::Distance)
+  {
+    return certified;
+  }
+  const double length = this->GetShadingLength(arc.To);
+  if (this->Options.ErrorMetric == vtkMTTargetCut::EdgeLength)
+  {
+    return eye.Projector.GetPixelError(depth, length);
+  }
+  const bool counts = eye.Projector.GetPixelError(depth, this->Graph->Nodes[arc.To].EdgeLength) > 1.0;
+  const double share = counts && eye.Toward ? this->GetFacingShare(arc, *eye.Toward) : 1.0;
+  return counts ? std::max(certified, eye.Projector.GetPixelError(depth, length * share)) : certified;
 }
 
 void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
@@ -33,10 +96,10 @@ void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
   view.Frame = this->Frame;
   const vtkMTArc& arc = this->Graph->Arcs[index];
   const vtkMTNode& node = this->Graph->Nodes[arc.To];
-  const double error = this->Options.ErrorMetric == vtkMTTargetCut::EdgeLength ? node.EdgeLength : node.Error;
   if (this->Eyes.empty())
   {
-    view.Wanted = error;
+    const double shading = this->GetShadingLength(arc.To);
+    view.Wanted = this->Options.ErrorMetric == vtkMTTargetCut::EdgeLength ? shading : std::max(node.Error, shading);
     return;
   }
   const vtkMTArcProjector::Box box(arc.Box);
@@ -51,8 +114,7 @@ void vtkMTArcViews::Make(std::uint32_t index, ArcView& view) const
       const vtkMTArcProjector::Depth depth = eye.Projector.GetDepth(box);
       const double certified = eye.Projector.GetPixelError(depth, node.Error);
       view.Certified = std::max(view.Certified, certified);
-      view.Wanted = std::max(view.Wanted,
-        this->Options.ErrorMetric == vtkMTTargetCut::Distance ? certified : eye.Projector.GetPixelError(depth, error));
+      view.Wanted = std::max(view.Wanted, this->GetWanted(arc, eye, depth, certified));
     }
   }
   view.Outside = !visible && this->Options.FrustumCulling;

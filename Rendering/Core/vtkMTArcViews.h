@@ -70,12 +70,18 @@ private:
   struct Eye
   {
     vtkMTArcProjector Projector;
-    std::optional<Facing> Side; // none: nothing is left out for facing away
+    std::optional<Facing> Side;   // none: nothing is left out for facing away
+    std::optional<Facing> Toward; // of the metric; none: all counts as if it faced the eye
   };
 
   void Make(std::uint32_t arc, ArcView& view) const;
+  // What counts in place of the certified distance, where it is more; model units.
+  double GetShadingLength(std::uint32_t node) const;
+  double GetWanted(const vtkMTArc& arc, const Eye& eye, const vtkMTArcProjector::Depth& depth, double certified) const;
+  double GetFacingShare(const vtkMTArc& arc, const Facing& side) const;
 
   const vtkMTGraph* Graph = nullptr;
+  const vtkMTMeasure* NormalDeviations = nullptr; // none: not known
   std::vector<Eye> Eyes;
   vtkMTTargetCut::Settings Options;
   double Threshold = 0.0;

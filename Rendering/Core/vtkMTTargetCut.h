@@ -51,8 +51,15 @@ class VTKMTRENDERINGCORE_EXPORT vtkMTTargetCut
 public:
   enum ErrorMetricType : std::uint8_t
   {
-    Distance = 0,  ///< the certified distance to the input: says where the surface is
-    EdgeLength = 1 ///< the mean edge length (BMT section 5.1): says how finely it can be shaded
+    Distance = 0,   ///< the certified distance to the input: says where the surface is
+    EdgeLength = 1, ///< the mean edge length (BMT section 5.1): says how finely it can be shaded
+    /// The certified distance, and where it is more, what shading may differ by: the mean edge length L times
+    /// sin(a / 2), half the difference of two normals with the angle a, the fragment's certified mean normal deviation;
+    /// times ((1 + c) / 2)^2, or 1 / 16 if that is more, c being the cosine between the axis of the patch's normals and
+    /// the direction to the eye, as a patch that is turned away covers few pixels. Normals count only where L is more
+    /// than a pixel. Where the model does not have the measure, a is a straight angle. Without a view, distance and L
+    /// sin(a / 2) count.
+    NormalDeviation = 2
   };
 
   struct Settings

@@ -3,6 +3,7 @@
 #include "vtkMTTargetCut.h"
 
 #include "vtkMTArcProjector.h"
+#include "vtkMTArcViews.h"
 #include "vtkMTGraph.h"
 
 #include <algorithm>
@@ -66,6 +67,14 @@ bool vtkMTTargetCut::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkMT
 double vtkMTTargetCut::GetPixelError(
   const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorMetricType choice)
 {
+  if (choice == NormalDeviation)
+  {
+    Settings settings;
+    settings.ErrorMetric = choice;
+    vtkMTArcViews views;
+    views.Begin(graph, { view }, settings);
+    return std::max(0.0, views.Look(arc).Wanted);
+  }
   const vtkMTArcProjector projector(graph.Lattice, view);
   const vtkMTNode& node = graph.Nodes[graph.Arcs[arc].To];
   const vtkMTArcProjector::Depth depth = projector.GetDepth(vtkMTArcProjector::Box(graph.Arcs[arc].Box));

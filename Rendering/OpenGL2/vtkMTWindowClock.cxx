@@ -2,6 +2,7 @@
 #include "vtkMTWindowClock.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkMTFrameHeap.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -73,6 +74,7 @@ std::shared_ptr<vtkMTWindowClock> vtkMTWindowClock::Get(vtkRenderWindow* window)
 vtkMTWindowClock::vtkMTWindowClock(vtkRenderWindow* window)
   : Window(window)
 {
+  vtkMTFrameHeap::Keep();
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(&vtkMTWindowClock::OnEvent);
   window->AddObserver(vtkCommand::StartEvent, this->Observer);

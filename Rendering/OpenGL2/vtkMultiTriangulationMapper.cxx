@@ -59,7 +59,8 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "TriangleLimit: " << this->TriangleLimit << "\n";
-  os << indent << "ErrorMetric: " << (this->ErrorMetric == DISTANCE ? "Distance" : "EdgeLength") << "\n";
+  constexpr const char* metrics[] = { "Distance", "EdgeLength", "NormalDeviation" };
+  os << indent << "ErrorMetric: " << metrics[this->ErrorMetric] << "\n";
   os << indent << "FrustumCulling: " << this->FrustumCulling << "\n";
   os << indent << "FacingCulling: " << this->FacingCulling << "\n";
   os << indent << "WaitForConvergence: " << this->WaitForConvergence << "\n";

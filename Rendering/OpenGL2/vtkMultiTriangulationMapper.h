@@ -32,11 +32,10 @@
  * Arrays that are not part of the model, because a filter has added them, have values on its coarsest cut alone: they
  * are not drawn, and a warning says so once. Elevations can be, by SetColorByElevation.
  *
- * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them (an array of role InputCellIds),
- * and otherwise the place of the triangle in the arena, which means nothing outside of it; for points, the values of
- * the array that SetPointIdArrayName names, and otherwise the place of the vertex. Software pickers look at the input's
- * own cells, which are the coarsest cut's; its cell data has the input's cell ids. With a vtkMultiTriangulationLocator
- * vtkCellPicker picks in what was drawn, and its cell ids are the input's.
+ * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them, and otherwise the place of the
+ * triangle in the arena, which means nothing outside of it; for points, the values of the array that
+ * SetPointIdArrayName names. Software pickers look at the coarsest cut; its cell data has the input's cell ids. With a
+ * vtkMultiTriangulationLocator vtkCellPicker picks in what was drawn, and its cell ids are the input's.
  *
  * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTTargetCut
  */
@@ -135,25 +134,31 @@ public:
   vtkBooleanMacro(Prefetch, bool);
   ///@}
 
+  ///@{
   /// Threads that read and decode patches, from the next input on. Default 2; clamped to [1, 64].
   vtkSetClampMacro(NumberOfLoaderThreads, int, 1, 64);
   vtkGetMacro(NumberOfLoaderThreads, int);
+  ///@}
 
   enum ErrorMetricType
   {
     DISTANCE = 0,
-    EDGE_LENGTH = 1
+    EDGE_LENGTH = 1,
+    NORMAL_DEVIATION = 2
   };
 
   ///@{
   /**
    * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
-   * is, or the mean edge length (BMT section 5.1), which says how finely it can be shaded. Other values are clamped.
+   * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; or the normal deviation, which
+   * spends triangles where shading shows them (vtkMTTargetCut says how). Models that were not built with
+   * CertifyNormals lack it and are drawn by the larger one of the two others. Other values are clamped.
    */
-  vtkSetClampMacro(ErrorMetric, int, DISTANCE, EDGE_LENGTH);
+  vtkSetClampMacro(ErrorMetric, int, DISTANCE, NORMAL_DEVIATION);
   vtkGetMacro(ErrorMetric, int);
   void SetErrorMetricToDistance() { this->SetErrorMetric(DISTANCE); }
   void SetErrorMetricToEdgeLength() { this->SetErrorMetric(EDGE_LENGTH); }
+  void SetErrorMetricToNormalDeviation() { this->SetErrorMetric(NORMAL_DEVIATION); }
   ///@}
 
   ///@{
@@ -177,10 +182,12 @@ public:
   vtkBooleanMacro(FacingCulling, bool);
   ///@}
 
+  ///@{
   /// Whether the cut stays what it is while the camera moves. Default off. Culling goes on.
   vtkSetMacro(FreezeCut, bool);
   vtkGetMacro(FreezeCut, bool);
   vtkBooleanMacro(FreezeCut, bool);
+  ///@}
 
   enum ColorByType
   {
@@ -238,18 +245,21 @@ public:
   void RemoveTextureMappings();
   ///@}
 
-  /// Share number share, from 0, of count: what of the cut is drawn, where several processes that find the same cut
-  /// draw one picture. Shares are disjoint, about equal in triangles; number count is empty. Default 0 of 1: all.
-  /// Clamped: count to 1 or more, share to [0, count]. Figures are the share's. With WAIT_ALWAYS and a DrawingRate of
-  /// 1e15 the cut depends on nothing but the view.
+  ///@{
+  /**
+   * Share number share, from 0, of count: what of the cut is drawn, where several processes that find the same cut
+   * draw one picture. Shares are disjoint, about equal in triangles; number count is empty. Default 0 of 1: all.
+   * Clamped: count to 1 or more, share to [0, count]. Figures are the share's. With WAIT_ALWAYS and a DrawingRate of
+   * 1e15 the cut depends on nothing but the view.
+   */
   void SetDrawnShare(int share, int count);
   vtkGetVector2Macro(DrawnShare, int);
+  ///@}
 
   ///@{
   /**
-   * Bytes of patches in main memory, those that are being loaded and what decoding them takes included: never more.
-   * Default 512 MiB; negative values are clamped to 0. A patch that does not fit the limit while it is read is not
-   * drawn, its coarser one is, and an error is reported.
+   * Bytes of patches in main memory, with what loading takes: never more. Default 512 MiB; negative values are clamped
+   * to 0. Of a patch that does not fit while it is read the coarser one is drawn, and an error is reported.
    */
   vtkSetClampMacro(PatchMemoryLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(PatchMemoryLimit, vtkIdType);
@@ -327,10 +337,8 @@ public:
   double GetLongestLock();
   ///@}
 
-  /**
-   * The mesh of the cut of the last frame, welded, culled patches included, with all arrays. False, with an error
-   * event, when nothing has been drawn yet or a patch cannot be read.
-   */
+  /// The mesh of the cut of the last frame, welded, culled patches included, with all arrays. False, with an error
+  /// event, when nothing has been drawn yet or a patch cannot be read.
   bool GetCut(vtkPolyData* output);
 
   /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
@@ -346,11 +354,14 @@ public:
   void ProcessSelectorPixelBuffers(
     vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
 
-  // Called by VTK while it renders.
+  ///@{
+  /// Called by VTK while it renders.
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+  ///@}
+
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
 
@@ -405,7 +416,7 @@ private:
   std::uint64_t GetTrianglesInTime(vtkRenderer* renderer, vtkActor* actor);
   void TakeFigures();
   void UpdateCellTextures(vtkRenderer* renderer);
-  void SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  void UseClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
   void DrawPrimitives(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode);
   void DrawVertices(vtkRenderer* renderer, vtkActor* actor);
   std::array<unsigned char, 4> GetPatchColor(std::uint32_t arc);

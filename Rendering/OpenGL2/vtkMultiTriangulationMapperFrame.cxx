@@ -112,7 +112,7 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   settings.Cut.PixelError = this->PixelError;
   settings.Cut.TriangleLimit =
     GetLower(static_cast<std::uint64_t>(this->TriangleLimit), this->GetTrianglesInTime(renderer, actor));
-  settings.Cut.ErrorMetric = this->ErrorMetric == EDGE_LENGTH ? vtkMTTargetCut::EdgeLength : vtkMTTargetCut::Distance;
+  settings.Cut.ErrorMetric = static_cast<vtkMTTargetCut::ErrorMetricType>(this->ErrorMetric);
   settings.Cut.FrustumCulling = this->FrustumCulling;
   // A frame that mirrors turns the triangles, and the cones that say what faces away are those of the lattice.
   settings.Cut.FacingCulling =

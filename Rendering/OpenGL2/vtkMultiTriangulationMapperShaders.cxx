@@ -158,7 +158,7 @@ void vtkMultiTriangulationMapper::SetMapperShaderParameters(
   const auto& origin = this->Implementation->Origin;
   const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
   glUniform3i(where, origin[0], origin[1], origin[2]);
-  this->SetClippingPlanes(cellBO, actor);
+  this->UseClippingPlanes(cellBO, actor);
   if (this->Implementation->HasCellTextures && cellBO.Program->IsUniformUsed("cellTextures"))
   {
     cellBO.Program->SetUniformi("cellTextures", this->Implementation->CellTextureBuffer->GetTextureUnit());
@@ -167,7 +167,7 @@ void vtkMultiTriangulationMapper::SetMapperShaderParameters(
 
 //------------------------------------------------------------------------------
 // The superclass's planes are in model units; these are in lattice steps from the origin.
-void vtkMultiTriangulationMapper::SetClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor)
+void vtkMultiTriangulationMapper::UseClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor)
 {
   constexpr int Maximum = 6;
   const int count = std::min(this->GetNumberOfClippingPlanes(), Maximum);

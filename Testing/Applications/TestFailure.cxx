@@ -262,9 +262,14 @@ TEST_F(Failure, ResumeOfWhatIsDoneSucceedsAndOfOtherSettingsBuilds)
   EXPECT_TRUE(this->ReadFile("out.bmt") == expected);
   // Where and how the same was to be built does not matter.
   EXPECT_TRUE(this->BmtJson(this->BuildCall({ "--resume", "--threads", "1" })).contains("was_finished"));
-  std::vector<std::string> other = this->ToDisk({ "--resume", "--no-normals" });
-  EXPECT_FALSE(this->BmtJson(other).contains("was_finished"));
-  EXPECT_FALSE(this->ReadFile("out.bmt") == expected);
+  for (const std::vector<std::string>& other :
+    { { "--no-normals" }, { "--certify-normals" }, std::vector<std::string>{ "--feature-angle", "1" } })
+  {
+    std::vector<std::string> call = { "--resume" };
+    call.insert(call.end(), other.begin(), other.end());
+    EXPECT_FALSE(this->BmtJson(this->ToDisk(call)).contains("was_finished")) << other[0];
+    EXPECT_FALSE(this->ReadFile("out.bmt") == expected) << other[0];
+  }
   // A file of that name which is no model, or another input.
   this->WriteFile("out.bmt", "something else");
   EXPECT_FALSE(this->BmtJson(this->ToDisk({ "--resume" })).contains("was_finished"));

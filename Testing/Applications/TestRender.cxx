@@ -119,7 +119,7 @@ TEST_F(Render, WhatVtkCannotDrawIsRefusedWithTheReasonAndNotDrawnEmpty)
 
 TEST_F(Render, ASmallerPixelErrorDrawsMoreAndABudgetIsKept)
 {
-  this->MakeModel(20480);
+  this->MakeModel(20480, 200, { "--certify-normals" });
   const auto render = [this](const std::vector<std::string>& more)
   {
     std::vector<std::string> call = { "render", this->Path("sphere.bmt"), "-o", this->Path("picture.png"), "--size",
@@ -131,6 +131,13 @@ TEST_F(Render, ASmallerPixelErrorDrawsMoreAndABudgetIsKept)
   const nlohmann::json fine = render({ "--pixel-error", "0.5" });
   EXPECT_LT(coarse["triangles"].get<int>(), fine["triangles"].get<int>());
   EXPECT_LE(coarse["pixel_error"].get<double>(), 20.0);
+  const nlohmann::json distance = render({ "--pixel-error", "2", "--metric", "distance" });
+  const nlohmann::json normals = render({ "--pixel-error", "2", "--metric", "normals" });
+  const nlohmann::json edges = render({ "--pixel-error", "2", "--metric", "edges" });
+  std::cout << distance["triangles"] << ", " << normals["triangles"] << ", " << edges["triangles"] << " triangles\n";
+  EXPECT_LT(distance["triangles"].get<int>(), normals["triangles"].get<int>());
+  EXPECT_LT(normals["triangles"].get<int>(), edges["triangles"].get<int>());
+  EXPECT_LE(normals["pixel_error"].get<double>(), 2.0) << "certified all the same";
   const nlohmann::json limited = render({ "--pixel-error", "0.5", "--budget", "5000" });
   EXPECT_LE(limited["triangles"].get<int>(), 5000);
   EXPECT_FALSE(limited["converged"].get<bool>());

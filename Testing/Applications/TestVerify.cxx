@@ -73,6 +73,28 @@ protected:
   }
 };
 
+TEST_F(Verify, AnglesThatAreTooSmallAreFound)
+{
+  this->MakeModel(5120, 100, { "--certify-normals" });
+  const auto scale = [](double by)
+  {
+    return [by](vtkMTGraph& graph)
+    {
+      for (vtkMTMeasure& measure : graph.Measures)
+      {
+        for (double& value : measure.Values)
+        {
+          value *= by;
+        }
+      }
+    };
+  };
+  Rewrite(this->Path("sphere.bmt"), this->Path("same.bmt"), scale(1.0), SamePatch);
+  EXPECT_TRUE(IsOk(this->Report("same.bmt", true), "certified_normals"));
+  Rewrite(this->Path("sphere.bmt"), this->Path("forged.bmt"), scale(0.1), SamePatch);
+  EXPECT_FALSE(IsOk(this->Report("forged.bmt", true), "certified_normals"));
+}
+
 TEST_F(Verify, AGoodModelPassesEveryCheck)
 {
   this->MakeModel(20480);

@@ -34,6 +34,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 #include <unistd.h>
@@ -155,14 +156,16 @@ struct Window
   vtkNew<vtkRenderWindow> Scene;
 };
 
+const std::map<std::string, int> Metrics{ { "distance", vtkMultiTriangulationMapper::DISTANCE },
+  { "edges", vtkMultiTriangulationMapper::EDGE_LENGTH }, { "normals", vtkMultiTriangulationMapper::NORMAL_DEVIATION } };
+
 vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(vtkMultiTriangulation* model, const Options& options)
 {
   auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
   mapper->SetInputData(model);
   mapper->ScalarVisibilityOff();
   mapper->SetPixelError(options.PixelError);
-  mapper->SetErrorMetric(
-    options.Error == "edges" ? vtkMultiTriangulationMapper::EDGE_LENGTH : vtkMultiTriangulationMapper::DISTANCE);
+  mapper->SetErrorMetric(Metrics.at(options.Error));
   mapper->SetPatchMemoryLimit(static_cast<vtkIdType>(options.PatchMegabytes * 1e6));
   mapper->SetGraphicsMemoryLimit(static_cast<vtkIdType>(options.GraphicsMegabytes * 1e6));
   mapper->SetTriangleLimit(options.Budget);
@@ -496,7 +499,7 @@ Json Compare(vtkMultiTriangulation* model, const FlightPath& path, Options optio
     }
   }
   Json rows;
-  for (const char* choice : { "distance", "edges" })
+  for (const char* choice : { "distance", "edges", "normals" })
   {
     for (const double pixels : { 0.5, 1.0, 2.0, 4.0 })
     {
@@ -541,8 +544,8 @@ void AddOptions(CLI::App& app, Options& options)
   app.add_option("--frames", options.Frames, "Of the path that is made for the model; 240")
     ->check(CLI::Range(2, 100000));
   app.add_option("--pixel-error", options.PixelError, "1");
-  app.add_option("--error", options.Error, "distance or edges (mean edge length)")
-    ->check(CLI::IsMember({ "distance", "edges" }));
+  app.add_option("--error", options.Error, "distance, edges (mean edge length) or normals (normal deviation)")
+    ->check(CLI::IsMember(Metrics));
   app.add_option("--memory", options.PatchMegabytes, "Megabytes for patches in main memory; 90");
   app.add_option("--gpu-memory", options.GraphicsMegabytes, "Megabytes for patches on the GPU; 512");
   app.add_option("--budget", options.Budget, "Triangles in a frame at most; 0: no limit");
@@ -560,7 +563,7 @@ void AddOptions(CLI::App& app, Options& options)
   app.add_option("--strip", options.Strip, "Where to write a picture of each part of the flight, as one PNG");
   app.add_flag("--moving", options.Moving, "Frames do not wait for patches, as while a user moves the camera");
   app.add_flag(
-    "--compare", options.Compare, "Compare pictures at 0.5, 1, 2 and 4 pixels of either error with the whole mesh");
+    "--compare", options.Compare, "Compare pictures at 0.5, 1, 2 and 4 pixels of each error with the whole mesh");
 }
 
 bool MakePath(vtkMultiTriangulation* model, const Options& options, FlightPath& path, std::string& error)

@@ -184,9 +184,11 @@ void MTBmtTest::MakeSphere(int triangles) const
     { "generate", "fractal-sphere", "--triangles", std::to_string(triangles), "-o", this->Path("sphere.ply") });
 }
 
-void MTBmtTest::MakeModel(int triangles, int patchTriangles) const
+void MTBmtTest::MakeModel(int triangles, int patchTriangles, const std::vector<std::string>& options) const
 {
   this->MakeSphere(triangles);
-  this->BmtJson({ "build", this->Path("sphere.ply"), "-o", this->Path("sphere.bmt"), "--patch-triangles",
-    std::to_string(patchTriangles) });
+  std::vector<std::string> call = { "build", this->Path("sphere.ply"), "-o", this->Path("sphere.bmt"),
+    "--patch-triangles", std::to_string(patchTriangles) };
+  call.insert(call.end(), options.begin(), options.end());
+  this->BmtJson(call);
 }

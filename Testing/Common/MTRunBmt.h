@@ -54,7 +54,7 @@ protected:
 
   /// A fractal sphere of that many triangles in sphere.ply, and its model with small patches in sphere.bmt.
   void MakeSphere(int triangles) const;
-  void MakeModel(int triangles, int patchTriangles = 200) const;
+  void MakeModel(int triangles, int patchTriangles = 200, const std::vector<std::string>& options = {}) const;
 
   std::filesystem::path Folder;
 };

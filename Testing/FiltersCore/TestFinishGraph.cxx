@@ -43,7 +43,8 @@ struct Build
     this->State.Graph.Lattice.Step = 0.5;
     this->State.Graph.Lattice.MaximumShift = 0.125;
     EXPECT_TRUE(this->Sink.Begin({}));
-    this->State.Nodes = { { 1, 10, 4.0, 8.0 }, { 1, 11, 2.0, 8.0 }, { 2, 0, 1.0, 16.0 } };
+    this->State.Nodes = { { 1, 10, 4.0, 8.0, 0.5, 0.25 }, { 1, 11, 2.0, 8.0, 0.75, 0.125 },
+      { 2, 0, 1.0, 16.0, 0.625, 0.375 } };
     this->Put(40, 0, none);
     this->Put(41, 1, none);
     this->Put(20, 2, 0);
@@ -92,6 +93,20 @@ TEST(FinishGraph, ErrorsAreSaturatedAndRoundedUp)
     EXPECT_GE(graph.Nodes[arc.From].Error, graph.Nodes[arc.To].Error);
   }
   EXPECT_GE(graph.Nodes[1].Error, graph.Nodes[2].Error) << "no less than what is finer";
+}
+
+TEST(FinishGraph, NormalDeviationsAreSaturatedMeasures)
+{
+  Build build;
+  std::string error;
+  ASSERT_TRUE(vtkMTFinishGraph::Run(build.State, build.Sink, error)) << error;
+  const vtkMTGraph& graph = build.Sink.GetGraph();
+  const vtkMTMeasure* largest = graph.FindMeasure(vtkMTMeasure::NormalDeviation);
+  const vtkMTMeasure* mean = graph.FindMeasure(vtkMTMeasure::MeanNormalDeviation);
+  ASSERT_TRUE(largest && mean);
+  EXPECT_EQ(graph.FindMeasure("no such"), nullptr);
+  EXPECT_EQ(largest->Values, (std::vector<double>{ 0.75, 0.75, 0.5, 0.75, 0.0 })) << "the coarse node has its floor's";
+  EXPECT_EQ(mean->Values, (std::vector<double>{ 0.375, 0.375, 0.25, 0.125, 0.0 }));
 }
 
 TEST(FinishGraph, InputOfOnePatchIsAnArcFromSourceToSink)

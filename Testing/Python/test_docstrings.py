@@ -76,7 +76,7 @@ class Docstrings(unittest.TestCase):
 
     def test_every_wrapped_class_has_docstrings(self):
         methods_seen = 0
-        for name in multitriangulation.__all__:
+        for name in (each for each in multitriangulation.__all__ if each.startswith("vtk")):
             with self.subTest(name):
                 each = getattr(multitriangulation, name)
                 title = (each.__doc__ or "").split("\n\n")[0]

@@ -14,6 +14,8 @@ vtkObject.GlobalWarningDisplayOff()
 
 def classes():
     for info in pkgutil.iter_modules(multitriangulation.__path__):
+        if not info.name.startswith("vtk"):
+            continue  # the functions' modules, which name classes of VTK's
         module = importlib.import_module(f"multitriangulation.{info.name}")
         for name, each in sorted(vars(module).items()):
             if isinstance(each, type) and each.__name__ == name and issubclass(each, vtkObject):

@@ -23,6 +23,8 @@
 #include <memory>
 #include <thread>
 
+#include <sys/resource.h>
+
 namespace
 {
 vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper()
@@ -48,6 +50,31 @@ void Delay(vtkRenderer* renderer, unsigned long event)
   callback->SetCallback(
     [](vtkObject*, unsigned long, void*, void*) { std::this_thread::sleep_for(std::chrono::milliseconds(40)); });
   renderer->AddObserver(event, callback);
+}
+
+long GetPageFaults()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
+// Only software OpenGL has its memory from the heap: 2,000 pages where the C library takes it back after each frame.
+TEST(MapperRate, MemoryOfAFrameStaysForTheNextOne)
+{
+  const auto mapper = MakeMapper();
+  MTScene scene(mapper);
+  scene.Render();
+  scene.Render();
+  const long before = GetPageFaults();
+  constexpr int frames = 10;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    scene.Render();
+  }
+  const long faults = (GetPageFaults() - before) / frames;
+  std::cout << mapper->GetNumberOfTriangles() << " triangles: " << faults << " pages fetched by a frame\n";
+  EXPECT_LT(faults, 1000);
 }
 
 TEST(MapperRate, WholeFramesAreMeasured)

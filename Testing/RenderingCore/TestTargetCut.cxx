@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace
@@ -110,6 +112,65 @@ TEST(Extraction, EdgeLengthChoiceComparesEdgeLengths)
   {
     const std::uint32_t node = graph.Arcs[arc].To;
     EXPECT_TRUE(node == graph.GetSink() || graph.Nodes[node].EdgeLength <= 0.01);
+  }
+}
+
+// Gives the nodes angles that grow towards the coarse end, or none.
+vtkMTGraph MakeGraphWithNormals(std::uint32_t seed, double angle)
+{
+  vtkMTGraph graph = MTRandomGraph::Make(seed, 80);
+  vtkMTMeasure measure{ vtkMTMeasure::MeanNormalDeviation, {} };
+  for (const vtkMTNode& node : graph.Nodes)
+  {
+    measure.Values.push_back(std::min(3.1, angle * node.Level));
+  }
+  measure.Values.back() = 0.0;
+  graph.Measures.push_back(measure);
+  return graph;
+}
+
+TEST(Extraction, NormalDeviationCountsDistanceAndEdgesByTheAngle)
+{
+  vtkMTTargetCut::Settings settings;
+  settings.ModelError = 0.002;
+  settings.ErrorMetric = vtkMTTargetCut::NormalDeviation;
+  for (const double angle : { 0.0, 0.05, 0.3 })
+  {
+    const vtkMTGraph graph = MakeGraphWithNormals(3, angle);
+    const auto result = Extract(graph, settings);
+    ASSERT_TRUE(MTRandomGraph::IsClosed(graph, result.Cut));
+    std::size_t refined = 0;
+    for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
+    {
+      const double shading = graph.Nodes[node].EdgeLength * std::sin(0.5 * graph.Measures[0].Values[node]);
+      refined += std::max(graph.Nodes[node].Error, shading) > 0.002 ? 1 : 0;
+    }
+    std::printf("angle %.2f: %zu nodes refined\n", angle, result.NodesRefined);
+    EXPECT_GE(result.NodesRefined, refined);
+    for (const std::uint32_t arc : result.Arcs)
+    {
+      const std::uint32_t node = graph.Arcs[arc].To;
+      const double shading = graph.Nodes[node].EdgeLength * std::sin(0.5 * graph.Measures[0].Values[node]);
+      EXPECT_TRUE(node == graph.GetSink() || std::max(graph.Nodes[node].Error, shading) <= 0.002);
+    }
+    const auto getRefined = [&](vtkMTTargetCut::ErrorMetricType metric, const vtkMTGraph& of)
+    {
+      settings.ErrorMetric = metric;
+      const auto nodes = Extract(of, settings).RefinedNodes;
+      settings.ErrorMetric = vtkMTTargetCut::NormalDeviation;
+      return nodes;
+    };
+    const auto byDistance = getRefined(vtkMTTargetCut::Distance, graph);
+    EXPECT_TRUE(
+      std::includes(result.RefinedNodes.begin(), result.RefinedNodes.end(), byDistance.begin(), byDistance.end()));
+    EXPECT_EQ(result.RefinedNodes == byDistance, angle == 0.0);
+    vtkMTGraph without = graph;
+    without.Measures.clear();
+    const auto byBoth = Extract(without, settings).RefinedNodes;
+    EXPECT_TRUE(std::includes(byBoth.begin(), byBoth.end(), result.RefinedNodes.begin(), result.RefinedNodes.end()))
+      << "where nothing is known of normals, edges count in full";
+    const auto byEdges = getRefined(vtkMTTargetCut::EdgeLength, graph);
+    EXPECT_TRUE(std::includes(byBoth.begin(), byBoth.end(), byEdges.begin(), byEdges.end()));
   }
 }
 

@@ -47,6 +47,66 @@ TEST(ExtractionView, EverythingVisibleIsBelowTheThreshold)
   }
 }
 
+TEST(ExtractionView, NormalsCountWhileEdgesExceedAPixelAndByHowThePatchIsTurned)
+{
+  vtkMTGraph graph = MTRandomGraph::Make(4, 300);
+  vtkMTMeasure measure{ vtkMTMeasure::MeanNormalDeviation, std::vector<double>(graph.Nodes.size(), 1.0) };
+  graph.Measures.push_back(measure);
+  std::array<std::size_t, 3> cases{ 0, 0, 0 };
+  for (const vtkMTView& view : MTViews::MakeRandom(2, 24))
+  {
+    for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+    {
+      const auto get = [&](vtkMTTargetCut::ErrorMetricType metric)
+      { return vtkMTTargetCut::GetPixelError(graph, view, arc, metric); };
+      const double distance = get(vtkMTTargetCut::Distance);
+      const double edges = get(vtkMTTargetCut::EdgeLength);
+      graph.Arcs[arc].ConeAxis = { 0.0f, 0.0f, 1.0f };
+      const double above = get(vtkMTTargetCut::NormalDeviation);
+      graph.Arcs[arc].ConeAxis = { 0.0f, 0.0f, -1.0f };
+      const double below = get(vtkMTTargetCut::NormalDeviation);
+      if (!vtkMTTargetCut::IsVisible(graph, view, arc))
+      {
+        continue;
+      }
+      ASSERT_LE(above, std::max(distance, edges));
+      ASSERT_GE(below, distance);
+      ASSERT_GE(above, below) << "all cameras look down";
+      ++cases[edges <= 1.0 ? 0 : (above > below ? 1 : 2)];
+      ASSERT_TRUE(edges > 1.0 || above == distance);
+    }
+  }
+  std::cout << cases[0] << " below a pixel, " << cases[1] << " by how they are turned, " << cases[2] << " others\n";
+  EXPECT_GT(std::min(cases[0], cases[1]), 100u);
+}
+
+TEST(ExtractionView, AtOnePixelNormalsRefineNoMoreThanDistanceAndEdges)
+{
+  vtkMTGraph graph = MTRandomGraph::Make(5, 300);
+  vtkMTMeasure measure{ vtkMTMeasure::MeanNormalDeviation, {} };
+  for (const vtkMTNode& node : graph.Nodes)
+  {
+    measure.Values.push_back(0.1 * node.Level);
+  }
+  graph.Measures.push_back(measure);
+  std::array<std::uint64_t, 2> triangles{ 0, 0 };
+  for (const vtkMTView& view : MTViews::MakeRandom(3, 24))
+  {
+    vtkMTTargetCut::Settings settings;
+    settings.ErrorMetric = vtkMTTargetCut::EdgeLength;
+    const auto edges = Extract(graph, view, settings);
+    settings.ErrorMetric = vtkMTTargetCut::NormalDeviation;
+    const auto normals = Extract(graph, view, settings);
+    ASSERT_TRUE(MTRandomGraph::IsClosed(graph, normals.Cut));
+    EXPECT_LE(normals.PixelError, std::max(1.0, edges.PixelError)) << "the distance is kept to";
+    EXPECT_LE(normals.Triangles, edges.Triangles) << "no distance is above an edge length here";
+    triangles[0] += normals.Triangles;
+    triangles[1] += edges.Triangles;
+  }
+  std::cout << triangles[0] << " of " << triangles[1] << " triangles\n";
+  EXPECT_LT(triangles[0], triangles[1]);
+}
+
 TEST(ExtractionView, NoNodeIsRefinedWithoutNeed)
 {
   std::size_t nodes = 0;

@@ -71,7 +71,18 @@ vtkMTClosestPoint::vtkMTClosestPoint(const vtkMTSampledSurface& surface)
     ++this->Depth;
   }
   this->Boxes.resize((std::size_t(2) << this->Depth) - 1);
-  this->Split();
+  Barycentres barycentres(this->Pieces.GetNumberOfPieces());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Order.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const std::uint32_t piece = this->Order[static_cast<std::size_t>(i)];
+        const vtkMTRealPoint x = this->Pieces.GetBarycentre(piece);
+        barycentres[piece] = { static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]) };
+      }
+    });
+  this->Split(barycentres);
   this->Fit();
   this->FitOriented();
 }
@@ -82,36 +93,41 @@ std::size_t vtkMTClosestPoint::Begin(int depth, std::size_t node) const
   return (this->Order.size() * node) >> depth;
 }
 
-int vtkMTClosestPoint::GetLongestAxis(const std::uint32_t* first, const std::uint32_t* last) const
+int vtkMTClosestPoint::GetLongestAxis(
+  const Barycentres& barycentres, const std::uint32_t* first, const std::uint32_t* last)
 {
-  vtkMTRealBounds bounds;
+  std::array<float, 3> low = barycentres[*first];
+  std::array<float, 3> high = low;
   for (const std::uint32_t* i = first; i != last; ++i)
   {
-    bounds.Add(
-      { this->Pieces.GetBarycentre(*i, 0), this->Pieces.GetBarycentre(*i, 1), this->Pieces.GetBarycentre(*i, 2) });
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], barycentres[*i][axis]);
+      high[axis] = std::max(high[axis], barycentres[*i][axis]);
+    }
   }
-  const vtkMTRealPoint size = Subtract(bounds.Maximum, bounds.Minimum);
-  return static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+  const float size[3] = { high[0] - low[0], high[1] - low[1], high[2] - low[2] };
+  return static_cast<int>(std::max_element(size, size + 3) - size);
 }
 
-void vtkMTClosestPoint::Split()
+void vtkMTClosestPoint::Split(const Barycentres& barycentres)
 {
   for (int depth = 0; depth < this->Depth; ++depth)
   {
     vtkSMPTools::For(0, vtkIdType(1) << depth,
-      [this, depth](vtkIdType begin, vtkIdType end)
+      [&, depth](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType node = begin; node < end; ++node)
         {
           std::uint32_t* first = this->Order.data() + this->Begin(depth, node);
           std::uint32_t* last = this->Order.data() + this->Begin(depth, node + 1);
           std::uint32_t* middle = this->Order.data() + this->Begin(depth + 1, 2 * node + 1);
-          const int axis = this->GetLongestAxis(first, last);
+          const int axis = GetLongestAxis(barycentres, first, last);
           std::nth_element(first, middle, last,
-            [this, axis](std::uint32_t a, std::uint32_t b)
+            [&barycentres, axis](std::uint32_t a, std::uint32_t b)
             {
-              const double xa = this->Pieces.GetBarycentre(a, axis);
-              const double xb = this->Pieces.GetBarycentre(b, axis);
+              const float xa = barycentres[a][axis];
+              const float xb = barycentres[b][axis];
               return xa != xb ? xa < xb : a < b;
             });
         }
@@ -296,6 +312,39 @@ vtkMTClosestPoint::Result vtkMTClosestPoint::Find(const vtkMTRealPoint& x, std::
     stack[top++] = near;
   }
   return best;
+}
+
+void vtkMTClosestPoint::VisitWithin(
+  const vtkMTRealPoint& x, double radius, const std::function<bool(std::uint32_t triangle)>& visit) const
+{
+  const std::size_t firstLeaf = (std::size_t(1) << this->Depth) - 1;
+  const vtkMTRealPoint turned = this->Pieces.GetAxes().Apply(x);
+  const double radius2 = radius * radius;
+  std::vector<std::size_t> stack(this->Order.empty() ? 0 : 1, 0);
+  while (!stack.empty())
+  {
+    const std::size_t node = stack.back();
+    stack.pop_back();
+    if (BoxDistance2(turned, this->Boxes[node]) > radius2)
+    {
+      continue;
+    }
+    if (node < firstLeaf)
+    {
+      stack.push_back(2 * node + 2);
+      stack.push_back(2 * node + 1);
+      continue;
+    }
+    const std::size_t end = this->Begin(this->Depth, node - firstLeaf + 1);
+    for (std::size_t i = this->Begin(this->Depth, node - firstLeaf); i < end; ++i)
+    {
+      const std::uint32_t triangle = this->Pieces.GetTriangle(this->Order[i]);
+      if (this->GetTriangleDistance2(x, triangle) <= radius2 && !visit(triangle))
+      {
+        return;
+      }
+    }
+  }
 }
 
 bool vtkMTClosestPoint::Measure(const std::vector<vtkMTRealPoint>& points, std::vector<double>& distances,

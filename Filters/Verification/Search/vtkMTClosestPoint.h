@@ -23,6 +23,7 @@
 #include "vtkMTSampledSurface.h"
 #include "vtkMTTrianglePieces.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -46,6 +47,11 @@ public:
   /// else.
   Result Find(const vtkMTRealPoint& x, std::uint32_t hint = NoTriangle) const;
 
+  /// Calls visit with the triangles that have a point within the radius, one with several pieces more than once, until
+  /// it returns false.
+  void VisitWithin(
+    const vtkMTRealPoint& x, double radius, const std::function<bool(std::uint32_t triangle)>& visit) const;
+
   /// Is told the share that is done, from the calling thread; returns false to stop.
   using Progress = std::function<bool(double share)>;
 
@@ -60,12 +66,13 @@ public:
     const vtkMTRealPoint& x, const vtkMTRealPoint& a, const vtkMTRealPoint& b, const vtkMTRealPoint& c);
 
 private:
-  void Split();
+  using Barycentres = std::vector<std::array<float, 3>>; // by piece; single precision is enough to split by
+  void Split(const Barycentres& barycentres);
   void Fit();
   void FitOriented();
   bool IsCopyOfPreviousLeaf(std::size_t leaf) const;
   std::size_t Begin(int depth, std::size_t node) const;
-  int GetLongestAxis(const std::uint32_t* first, const std::uint32_t* last) const;
+  static int GetLongestAxis(const Barycentres& barycentres, const std::uint32_t* first, const std::uint32_t* last);
   double GetTriangleDistance2(const vtkMTRealPoint& x, std::uint32_t triangle) const;
   void SearchLeaf(const vtkMTRealPoint& x, std::size_t leaf, Result& best) const;
 

@@ -34,42 +34,59 @@ double GetSurface(const vtkMTRealBounds& box)
   return x * y + y * z + z * x;
 }
 
-// Of points that are to be added twice: for the middle, and then for the axes.
-class Moments
+}
+
+// Number, mean and sums of squares of points; those of two sets follow from those of each (Chan, Golub and LeVeque,
+// 1979).
+class vtkMTOrientedBoxes::Moments
 {
 public:
-  void AddToMiddle(const vtkMTRealPoint& x)
+  void Add(const vtkMTRealPoint& x)
   {
-    ++this->Count;
+    Moments other;
+    other.Count = 1.0;
+    std::copy(x.begin(), x.end(), other.Middle);
+    this->Add(other);
+  }
+  void Add(const Moments& other)
+  {
+    const double count = this->Count + other.Count;
+    if (!(count > 0.0))
+    {
+      return;
+    }
+    double d[3];
     for (int i = 0; i < 3; ++i)
     {
-      this->Middle[i] += (x[i] - this->Middle[i]) / this->Count;
+      d[i] = other.Middle[i] - this->Middle[i];
+      this->Middle[i] += d[i] * (other.Count / count);
     }
-  }
-  void AddToSquares(const vtkMTRealPoint& x)
-  {
-    const vtkMTRealPoint d = { x[0] - this->Middle[0], x[1] - this->Middle[1], x[2] - this->Middle[2] };
     for (int i = 0; i < 3; ++i)
     {
       for (int j = 0; j < 3; ++j)
       {
-        this->Squares[i][j] += d[i] * d[j];
+        this->Squares[i][j] += other.Squares[i][j] + d[i] * d[j] * (this->Count * other.Count / count);
       }
     }
+    this->Count = count;
   }
-  bool GetAxes(std::array<vtkMTRealPoint, 3>& axes)
+  // Principal axes, and the least that the points extend along each.
+  bool GetAxes(std::array<vtkMTRealPoint, 3>& axes, double extents[3]) const
   {
+    double squares[3][3];
     double v[3][3];
     double values[3];
-    double* rows[3] = { this->Squares[0], this->Squares[1], this->Squares[2] };
+    double* rows[3] = { squares[0], squares[1], squares[2] };
     double* rowsOfV[3] = { v[0], v[1], v[2] };
-    if (vtkMath::Jacobi(rows, values, rowsOfV) == 0)
+    std::copy(&this->Squares[0][0], &this->Squares[0][0] + 9, &squares[0][0]);
+    if (!(this->Count > 0.0) || vtkMath::Jacobi(rows, values, rowsOfV) == 0)
     {
       return false;
     }
     for (int axis = 0; axis < 3; ++axis)
     {
       axes[axis] = { v[0][axis], v[1][axis], v[2][axis] };
+      extents[axis] = 2.0 * std::sqrt(std::max(0.0, values[axis]) / this->Count);
     }
     return true;
   }
@@ -79,31 +96,47 @@ private:
   double Middle[3] = {};
   double Squares[3][3] = {};
 };
-}
 
-bool vtkMTOrientedBoxes::Make(std::size_t node, const vtkMTRealBounds& straight, const Corners& corners, Box& box)
+bool vtkMTOrientedBoxes::Make(
+  std::size_t node, const vtkMTRealBounds& straight, const Moments& moments, const Corners& corners, Box& box)
 {
-  Moments moments;
-  corners(node, [&](const vtkMTRealPoint& x) { moments.AddToMiddle(x); });
-  corners(node, [&](const vtkMTRealPoint& x) { moments.AddToSquares(x); });
+  const double most = LargestShareOfSurface * GetSurface(straight);
+  double extents[3];
   box = Box();
-  if (!moments.GetAxes(box.Axes))
+  if (!moments.GetAxes(box.Axes, extents) ||
+    extents[0] * extents[1] + extents[1] * extents[2] + extents[2] * extents[0] > most)
   {
     return false;
   }
   corners(node, [&](const vtkMTRealPoint& x) { box.Bounds.Add(Turn(box.Axes, x)); });
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double most = std::max(std::abs(box.Bounds.Minimum[axis]), std::abs(box.Bounds.Maximum[axis]));
-    box.Bounds.Minimum[axis] -= 4.0 * vtkMTPrincipalAxes::Rounding * std::max(1.0, most);
-    box.Bounds.Maximum[axis] += 4.0 * vtkMTPrincipalAxes::Rounding * std::max(1.0, most);
+    const double farthest = std::max(std::abs(box.Bounds.Minimum[axis]), std::abs(box.Bounds.Maximum[axis]));
+    box.Bounds.Minimum[axis] -= 4.0 * vtkMTPrincipalAxes::Rounding * std::max(1.0, farthest);
+    box.Bounds.Maximum[axis] += 4.0 * vtkMTPrincipalAxes::Rounding * std::max(1.0, farthest);
   }
-  return GetSurface(box.Bounds) < LargestShareOfSurface * GetSurface(straight);
+  return GetSurface(box.Bounds) < most;
 }
 
 void vtkMTOrientedBoxes::Fit(const std::vector<vtkMTRealBounds>& straight, const Corners& corners)
 {
   this->Numbers.assign(straight.size(), None);
+  std::vector<Moments> moments(straight.size());
+  const std::size_t firstLeaf = straight.size() / 2;
+  vtkSMPTools::For(static_cast<vtkIdType>(firstLeaf), static_cast<vtkIdType>(straight.size()), 64,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType leaf = begin; leaf < end; ++leaf)
+      {
+        Moments& own = moments[static_cast<std::size_t>(leaf)];
+        corners(static_cast<std::size_t>(leaf), [&own](const vtkMTRealPoint& x) { own.Add(x); });
+      }
+    });
+  for (std::size_t node = firstLeaf; node-- > 0;)
+  {
+    moments[node].Add(moments[2 * node + 1]);
+    moments[node].Add(moments[2 * node + 2]);
+  }
   std::vector<Box> made(std::min(NodesPerTurn, straight.size()));
   std::vector<unsigned char> isWanted(made.size());
   for (std::size_t first = 0; first < straight.size(); first += NodesPerTurn)
@@ -114,7 +147,8 @@ void vtkMTOrientedBoxes::Fit(const std::vector<vtkMTRealBounds>& straight, const
       {
         for (auto node = static_cast<std::size_t>(begin); node < static_cast<std::size_t>(end); ++node)
         {
-          isWanted[node - first] = !straight[node].IsEmpty() && Make(node, straight[node], corners, made[node - first]);
+          isWanted[node - first] =
+            !straight[node].IsEmpty() && Make(node, straight[node], moments[node], corners, made[node - first]);
         }
       });
     for (std::size_t node = first; node < last; ++node)

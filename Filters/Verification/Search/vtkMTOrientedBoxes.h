@@ -8,6 +8,9 @@
  * proportion to the number of needles for every query. Here a node has a second box, along the principal axes of its
  * corners (Gottschalk, Lin and Manocha, "OBBTree", 1996, section 4), where this has less than an eighth of the surface
  * of the straight one: hardly any node of a surface without needles.
+ *
+ * The axes follow from the moments of the corners, which a node has from its children. Points with the variance v along
+ * an axis extend over 2 sqrt(v) of it at least; where such a box is too large already, no corner is looked at again.
  */
 #ifndef vtkMTOrientedBoxes_h
 #define vtkMTOrientedBoxes_h
@@ -27,7 +30,8 @@ public:
   /// Calls add for every corner of what is in a node.
   using Corners = std::function<void(std::size_t node, const std::function<void(const vtkMTRealPoint&)>& add)>;
 
-  /// For the nodes of the tree with these straight boxes; corners is called from several threads.
+  /// For the nodes of a complete binary tree with these straight boxes, in which node i has the children 2i + 1 and
+  /// 2i + 2; corners is called from several threads.
   void Fit(const std::vector<vtkMTRealBounds>& straight, const Corners& corners);
 
   /// A lower bound of the distance to what is in a node, squared; 0 where the node has no turned box.
@@ -46,7 +50,10 @@ private:
     vtkMTRealBounds Bounds; // along the axes
   };
 
-  static bool Make(std::size_t node, const vtkMTRealBounds& straight, const Corners& corners, Box& box);
+  class Moments;
+
+  static bool Make(
+    std::size_t node, const vtkMTRealBounds& straight, const Moments& moments, const Corners& corners, Box& box);
   double Measure(std::uint32_t number, const vtkMTRealPoint& x) const;
 
   std::vector<std::uint32_t> Numbers; // [nodes] of their boxes

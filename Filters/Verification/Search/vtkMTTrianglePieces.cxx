@@ -188,10 +188,10 @@ vtkMTRealBounds vtkMTTrianglePieces::GetBounds(std::uint32_t piece) const
   return bounds;
 }
 
-double vtkMTTrianglePieces::GetBarycentre(std::uint32_t piece, int axis) const
+vtkMTRealPoint vtkMTTrianglePieces::GetBarycentre(std::uint32_t piece) const
 {
   const Corners c = this->GetCorners(piece);
-  return c.P[0][axis] + c.P[1][axis] + c.P[2][axis];
+  return { c.P[0][0] + c.P[1][0] + c.P[2][0], c.P[0][1] + c.P[1][1] + c.P[2][1], c.P[0][2] + c.P[1][2] + c.P[2][2] };
 }
 
 bool vtkMTTrianglePieces::AreEqual(std::uint32_t a, std::uint32_t b) const

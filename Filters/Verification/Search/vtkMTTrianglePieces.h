@@ -32,8 +32,10 @@ public:
   /// Boxes and barycentres are those of the turned surface.
   const vtkMTPrincipalAxes& GetAxes() const { return this->Axes; }
   vtkMTRealBounds GetBounds(std::uint32_t piece) const;
-  /// Three times the piece's barycentre, along an axis.
-  double GetBarycentre(std::uint32_t piece, int axis) const;
+  /// Three times the piece's barycentre.
+  vtkMTRealPoint GetBarycentre(std::uint32_t piece) const;
+  /// The numbers of pieces are below this.
+  std::size_t GetNumberOfPieces() const { return this->Whole + this->Parts.size(); }
   /// Whether two pieces have the same corners in the same order, and so do their triangles.
   bool AreEqual(std::uint32_t a, std::uint32_t b) const;
 
