@@ -2,6 +2,7 @@
 # Finds VTK and builds the toolkit's VTK modules, layer by layer.
 set(MT_SOURCE_DIR "${CMAKE_SOURCE_DIR}")
 include(MTModuleFolders)
+include(MTUnityBuild)
 
 # VTK's components: what the vtk.module files name, and what the command, the examples, the tests and Python add. What
 # is linked must be named here or there, or CMake complains of targets that were not found (MPI::MPI_C).
@@ -48,6 +49,8 @@ endif ()
 foreach (module IN LISTS mt_modules)
   vtk_module_set_properties(${module} VERSION "${PROJECT_VERSION}" SOVERSION "${MT_SOVERSION}")
 endforeach ()
+
+mt_unity_build(${mt_modules})
 
 # What reads bytes from outside counts its branches for the fuzzers. Nothing else does: it would slow down the unit tests,
 # which are built in the same tree.

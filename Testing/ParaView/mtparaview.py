@@ -56,10 +56,10 @@ def plain(representation):
     return representation
 
 
-def figure(representation, name):
-    """A figure of the representation's last frame."""
-    representation.SMProxy.UpdatePropertyInformation()
-    return representation.GetProperty(name).GetData()
+def figure(proxy, name):
+    """A property that only informs: of a representation's last frame, of what a filter has made."""
+    proxy.SMProxy.UpdatePropertyInformation()
+    return proxy.GetProperty(name).GetData()
 
 
 def count_pixels(a, b, slight=0):

@@ -78,7 +78,8 @@ def check_presence(classes):
 
 def check_documents(classes):
     for name, commands in classes.items():
-        without = [c for c, p in commands.items() if p.find("Documentation") is None or not p.find("Documentation").text]
+        without = [c for c, p in commands.items()
+                   if p.tag != "SubProxy" and (p.find("Documentation") is None or not p.find("Documentation").text)]
         unbounded = [c for c, p in commands.items() if p.tag in ("IntVectorProperty", "DoubleVectorProperty")
                      and not any(child.tag.endswith("Domain") for child in p) and p.get("repeat_command") != "1"]
         check(f"{name}: properties have documentation and a range", not without and not unbounded, *without, *unbounded)
@@ -111,7 +112,10 @@ def check_defaults(classes):
             if value.GetNumberOfElements() == 0:
                 continue
             answer = value.GetElement(0)
-            same = (answer or "") == default if value.IsA("vtkSMStringVectorProperty") else float(answer) == float(default)
+            if value.IsA("vtkSMStringVectorProperty"):
+                same = (answer or "") == default
+            else:
+                same = float(answer) == min(float(default), 1e299)  # ParaView's largest
             compared += 1
             if not same and not setting.endswith("FileName"):
                 wrong.append(f"{setting}: {default} and not {answer}")
