@@ -42,6 +42,12 @@ check_baseline(view, "Shiny")
 representation.Specular = 0.0
 representation.DiffuseColor = [1.0, 1.0, 1.0]
 
+representation.ClipModel = 1
+representation.ClipOrigin = [0.2, 0.0, 0.0]
+representation.ClipNormal = [-1.0, 0.0, 0.5]
+check_baseline(view, "Clipped")
+representation.ClipModel = 0
+
 representation.FreezeCut = 1
 view.CameraViewAngle = 8.0
 simple.Render(view)

@@ -20,6 +20,15 @@ void vtkMTParaViewBuilder::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+// The superclass's looks for consumers to warn, and ParaView has some of its own behind every source.
+int vtkMTParaViewBuilder::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  return this->vtkPolyDataAlgorithm::ComputePipelineMTime( // NOLINT(bugprone-parent-virtual-call)
+    request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMTParaViewBuilder::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -19,6 +19,9 @@ public:
   vtkTypeMacro(vtkMTParaViewBuilder, vtkMultiTriangulationBuilder);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMTParaViewBuilder();
   ~vtkMTParaViewBuilder() override;

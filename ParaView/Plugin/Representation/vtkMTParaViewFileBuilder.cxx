@@ -93,7 +93,8 @@ int vtkMTParaViewFileBuilder::RequestData(
 {
   if (!this->Build())
   {
-    this->SetErrorCode(this->Builder ? this->Builder->GetErrorCode() : vtkErrorCode::UserError);
+    this->SetErrorCode(
+      this->Builder ? this->Builder->GetErrorCode() : static_cast<unsigned long>(vtkErrorCode::UserError));
     return 0;
   }
   this->SetFileName(this->Builder->GetOutputFileName());

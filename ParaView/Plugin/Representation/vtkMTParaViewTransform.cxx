@@ -21,6 +21,16 @@ void vtkMTParaViewTransform::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+// The superclass's looks for consumers to warn, and ParaView has some of its own behind every source.
+int vtkMTParaViewTransform::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int port, vtkMTimeType* time)
+{
+  vtkMultiTriangulation::AnnounceUse(inputVector);
+  return this->vtkPolyDataAlgorithm::ComputePipelineMTime( // NOLINT(bugprone-parent-virtual-call)
+    request, inputVector, outputVector, port, time);
+}
+
+//------------------------------------------------------------------------------
 int vtkMTParaViewTransform::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

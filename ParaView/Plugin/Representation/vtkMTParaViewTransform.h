@@ -19,6 +19,9 @@ public:
   vtkTypeMacro(vtkMTParaViewTransform, vtkMultiTriangulationTransform);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* time) override;
+
 protected:
   vtkMTParaViewTransform();
   ~vtkMTParaViewTransform() override;

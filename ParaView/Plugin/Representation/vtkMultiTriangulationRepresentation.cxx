@@ -29,6 +29,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
+#include <utility>
 
 vtkStandardNewMacro(vtkMultiTriangulationRepresentation);
 
@@ -62,6 +64,13 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* geometry)
   return append->GetOutput();
 }
 
+// Those that live in this process; ParaView makes and deletes them in one thread.
+std::set<vtkMultiTriangulationRepresentation*>& GetRepresentations()
+{
+  static std::set<vtkMultiTriangulationRepresentation*> all;
+  return all;
+}
+
 // What the finest level would take on a GPU, in KiB: 12 bytes of indices, and half a point of position and normal.
 unsigned long GetSizeOf(vtkMultiTriangulation& model)
 {
@@ -84,10 +93,14 @@ vtkMultiTriangulationRepresentation::vtkMultiTriangulationRepresentation()
   this->BackfaceActor->Delete();
   this->BackfaceActor = vtkMTLODActor::New();
   this->SetupDefaults();
+  GetRepresentations().insert(this);
 }
 
 //------------------------------------------------------------------------------
-vtkMultiTriangulationRepresentation::~vtkMultiTriangulationRepresentation() = default;
+vtkMultiTriangulationRepresentation::~vtkMultiTriangulationRepresentation()
+{
+  GetRepresentations().erase(this);
+}
 
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationRepresentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -111,6 +124,38 @@ vtkMultiTriangulation* vtkMultiTriangulationRepresentation::GetModel()
 {
   auto* model = vtkMultiTriangulation::SafeDownCast(this->Data);
   return model && model->GetSource() ? model : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkMultiTriangulationRepresentation* vtkMultiTriangulationRepresentation::FindShowing(vtkMultiTriangulation& model)
+{
+  const std::set<vtkMultiTriangulationRepresentation*>& all = GetRepresentations();
+  const auto found = std::find_if(all.begin(), all.end(),
+    [&model](vtkMultiTriangulationRepresentation* one)
+    { return one->GetVisibility() && one->GetModel() && one->GetModel()->GetSource() == model.GetSource(); });
+  return found == all.end() ? nullptr : *found;
+}
+
+//------------------------------------------------------------------------------
+// The patches are compared: the mesh serves as long as the cut stays, so while the cursor moves over a still picture.
+vtkPolyData* vtkMultiTriangulationRepresentation::GetDrawnMesh()
+{
+  vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
+  std::vector<std::uint32_t> arcs = mapper->GetDrawnArcs();
+  if (arcs.empty())
+  {
+    return nullptr;
+  }
+  if (arcs != this->DrawnArcs)
+  {
+    this->DrawnArcs = std::move(arcs);
+    this->DrawnMesh = vtkSmartPointer<vtkPolyData>::New();
+    if (!mapper->GetCut(this->DrawnMesh))
+    {
+      this->DrawnArcs.clear();
+    }
+  }
+  return this->DrawnArcs.empty() ? nullptr : this->DrawnMesh.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -331,143 +376,4 @@ std::string vtkMultiTriangulationRepresentation::GetIdArrayName(int association)
     }
   }
   return {};
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetPixelError(double pixels)
-{
-  this->PixelError = pixels;
-  this->GetMultiTriangulationMapper()->SetPixelError(pixels);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetWaitForConvergence(int wait)
-{
-  this->WaitForConvergence = wait;
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetDrawingRate(double trianglesPerSecond)
-{
-  this->DrawingRate = trianglesPerSecond;
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetErrorMetric(int metric)
-{
-  this->GetMultiTriangulationMapper()->SetErrorMetric(metric);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetTriangleLimit(vtkIdType triangles)
-{
-  this->GetMultiTriangulationMapper()->SetTriangleLimit(triangles);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetUploadLimit(vtkIdType bytes)
-{
-  this->GetMultiTriangulationMapper()->SetUploadLimit(bytes);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetCutTimeLimit(double seconds)
-{
-  this->GetMultiTriangulationMapper()->SetCutTimeLimit(seconds);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetPrefetch(bool on)
-{
-  this->GetMultiTriangulationMapper()->SetPrefetch(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetNumberOfLoaderThreads(int threads)
-{
-  this->GetMultiTriangulationMapper()->SetNumberOfLoaderThreads(threads);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetFrustumCulling(bool on)
-{
-  this->GetMultiTriangulationMapper()->SetFrustumCulling(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetFacingCulling(bool on)
-{
-  this->GetMultiTriangulationMapper()->SetFacingCulling(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetFreezeCut(bool on)
-{
-  this->GetMultiTriangulationMapper()->SetFreezeCut(on);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetCutColoring(int colors)
-{
-  this->GetMultiTriangulationMapper()->SetColorBy(colors);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetPatchMemoryLimit(vtkIdType bytes)
-{
-  this->GetMultiTriangulationMapper()->SetPatchMemoryLimit(bytes);
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationRepresentation::SetGraphicsMemoryLimit(vtkIdType bytes)
-{
-  this->GetMultiTriangulationMapper()->SetGraphicsMemoryLimit(bytes);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMultiTriangulationRepresentation::GetNumberOfTriangles()
-{
-  return this->GetMultiTriangulationMapper()->GetNumberOfTriangles();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMultiTriangulationRepresentation::GetNumberOfPatches()
-{
-  return this->GetMultiTriangulationMapper()->GetNumberOfPatches();
-}
-
-//------------------------------------------------------------------------------
-double vtkMultiTriangulationRepresentation::GetAchievedPixelError()
-{
-  return this->GetMultiTriangulationMapper()->GetAchievedPixelError();
-}
-
-//------------------------------------------------------------------------------
-int vtkMultiTriangulationRepresentation::GetConverged()
-{
-  return this->GetMultiTriangulationMapper()->GetConverged() ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkMultiTriangulationRepresentation::GetLoading()
-{
-  return this->GetMultiTriangulationMapper()->GetLoading() ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-double vtkMultiTriangulationRepresentation::GetFrameTime()
-{
-  return this->GetMultiTriangulationMapper()->GetFrameTime();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMultiTriangulationRepresentation::GetGraphicsMemory()
-{
-  return this->GetMultiTriangulationMapper()->GetGraphicsMemory();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMultiTriangulationRepresentation::GetPatchMemory()
-{
-  return this->GetMultiTriangulationMapper()->GetPatchMemory();
 }

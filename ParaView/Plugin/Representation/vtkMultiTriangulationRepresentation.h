@@ -26,13 +26,18 @@
 
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkMTParaViewModule.h" // For export macro
+#include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 class vtkDataObject;
 class vtkMultiTriangulation;
 class vtkMultiTriangulationMapper;
+class vtkPolyData;
 
 class VTKMTPARAVIEW_EXPORT vtkMultiTriangulationRepresentation : public vtkGeometryRepresentationWithFaces
 {
@@ -45,6 +50,13 @@ public:
 
   /// Whether what is drawn is a model, and not other data.
   bool ShowsModel() { return this->GetModel() != nullptr; }
+
+  /// One that shows the patches of this model in this process, or nullptr.
+  static vtkMultiTriangulationRepresentation* FindShowing(vtkMultiTriangulation& model);
+
+  /// The mesh of the cut of the last frame, with its arrays, for selections in it; nullptr where there is none. It
+  /// stays the representation's.
+  vtkPolyData* GetDrawnMesh();
 
   /// What this process has of the data: a vtkMultiTriangulation, if the input is one.
   vtkDataObject* GetRenderedDataObject(int port) override;
@@ -99,6 +111,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the mapper draws only what lies on the side of a plane that its normal points to (vtkPlane, in the world's
+   * coordinates); triangles stay whole in the file, and no cap is drawn. Default off; a plane through the origin with the normal x.
+   */
+  void SetClip(bool on);
+  void SetClipOrigin(double x, double y, double z);
+  void SetClipNormal(double x, double y, double z);
+  ///@}
+
+  ///@{
   /// The mapper's figures of the last frame in this process.
   vtkIdType GetNumberOfTriangles();
   vtkIdType GetNumberOfPatches();
@@ -142,6 +164,9 @@ private:
   int Style = SURFACE;
   std::string PointIdArray;
   std::string CellIdArray;
+  vtkNew<vtkPlane> ClippingPlane;
+  std::vector<std::uint32_t> DrawnArcs; // of which DrawnMesh is
+  vtkSmartPointer<vtkPolyData> DrawnMesh;
 };
 
 #endif
