@@ -24,6 +24,12 @@ list(REMOVE_DUPLICATES mt_vtk_components)
 list(SORT mt_vtk_components)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${mt_vtk_components})
 
+# A wheel takes one component of all modules, and holds no symbolic links, so the libraries have no versions there.
+if (SKBUILD)
+  set(mt_component_for_each_module OFF)
+else ()
+  set(mt_component_for_each_module ON)
+endif ()
 set(MT_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/multitriangulation")
 vtk_module_scan(
   MODULE_FILES ${mt_module_files}
@@ -36,7 +42,7 @@ vtk_module_build(
   INSTALL_EXPORT MultiTriangulation
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/multitriangulation"
   CMAKE_DESTINATION "${MT_CMAKE_DESTINATION}"
-  TARGET_SPECIFIC_COMPONENTS ON
+  TARGET_SPECIFIC_COMPONENTS ${mt_component_for_each_module}
   USE_EXTERNAL OFF)
 
 # vtk_module_build has an argument for this, but takes a SOVERSION whose major number is 0 for none. Until 1.0 every minor
@@ -47,6 +53,9 @@ else ()
   set(MT_SOVERSION "${PROJECT_VERSION_MAJOR}")
 endif ()
 foreach (module IN LISTS mt_modules)
+  if (SKBUILD)
+    continue ()
+  endif ()
   vtk_module_set_properties(${module} VERSION "${PROJECT_VERSION}" SOVERSION "${MT_SOVERSION}")
 endforeach ()
 
