@@ -34,6 +34,7 @@ if (MT_SANITIZE)
     Builder.EveryPlaceOfAPatchIsWithinItsError
     Builder.EveryUsableTriangleIsStored
     Builder.RootHasAtMostTwoPatches
+    Builder.SameBytesForAnyNumberOfThreads
     CutFollower.CutTakesLittleTimeAlongAFlight
     ExactPoints.FinestLevelGivesTheInputsBitsBack
     ExtractionBudget.IsUsedToNineTenthsFromFiftyMeanPatchesOn

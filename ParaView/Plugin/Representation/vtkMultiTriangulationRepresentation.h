@@ -113,7 +113,8 @@ public:
   ///@{
   /**
    * Whether the mapper draws only what lies on the side of a plane that its normal points to (vtkPlane, in the world's
-   * coordinates); triangles stay whole in the file, and no cap is drawn. Default off; a plane through the origin with the normal x.
+   * coordinates); triangles stay whole in the file, and no cap is drawn. Default off; a plane through the origin with
+   * the normal x.
    */
   void SetClip(bool on);
   void SetClipOrigin(double x, double y, double z);
