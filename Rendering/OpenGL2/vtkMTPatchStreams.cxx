@@ -3,9 +3,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkMTGraph.h"
+#include "vtkMTOpenGL.h"
 #include "vtkMTPatchAttributes.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,6 +2,7 @@
 // vtkMultiTriangulationMapper: draw calls and picking.
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
+#include "vtkMTOpenGL.h"
 #include "vtkMTPalette.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTSelectionIds.h"
@@ -13,8 +14,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cstddef>
