@@ -25,9 +25,9 @@ from typing import Any
 import numpy
 import pyvista
 from pyvista.core.utilities import reader as _pyvista_reader
-from pyvista.plotting import mapper as _pyvista_mapper
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkRenderingCore import vtkMapper
 
 import multitriangulation as toolkit
 
@@ -78,7 +78,11 @@ def _unpickle(restore, arguments):
     return MultiTriangulation(restore(*arguments))
 
 
-class Mapper(_pyvista_mapper._DataSetMapper, toolkit.vtkMultiTriangulationMapper):
+# The class beside the VTK mapper that pyvista.DataSetMapper is made of; it is called otherwise from version to version.
+_MapperAttributes = next(base for base in pyvista.DataSetMapper.__bases__ if not issubclass(base, vtkMapper))
+
+
+class Mapper(_MapperAttributes, toolkit.vtkMultiTriangulationMapper):
     """The toolkit's mapper with the attributes of pyvista.DataSetMapper: lookup_table, scalar_range, dataset ..."""
 
 
@@ -300,7 +304,9 @@ def install() -> None:
       hook for that.
     """
     if hasattr(pyvista, "register_reader"):
-        pyvista.register_reader(ENDING, read)
+        known = pyvista.registered_readers() if hasattr(pyvista, "registered_readers") else ()
+        if all(each.extension != ENDING for each in known):
+            pyvista.register_reader(ENDING, read)
     else:
         _pyvista_reader.CLASS_READERS[ENDING] = _Reader
     if not hasattr(pyvista, "register_dataset_accessor"):
