@@ -12,7 +12,7 @@ reader = OpenDataFile(model)
 view = CreateView("RenderView")
 view.ViewSize = [800, 600]
 shown = Show(reader, view)
-ColorBy(shown, None)
+shown.ColorArrayName = ["POINTS", ""]
 bounds = reader.GetDataInformation().GetBounds()
 shown.ClipModel = 1
 shown.ClipOrigin = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]

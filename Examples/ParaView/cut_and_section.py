@@ -19,9 +19,9 @@ view = CreateView("RenderView")
 view.ViewSize = [800, 600]
 mesh = Show(cut, view)
 mesh.Representation = "Surface With Edges"
-ColorBy(mesh, None)
+mesh.ColorArrayName = ["POINTS", ""]
 tubes = Show(Tube(Input=section, Radius=0.004 * (bounds[1] - bounds[0])), view)
-ColorBy(tubes, None)
+tubes.ColorArrayName = ["POINTS", ""]
 tubes.DiffuseColor = [1.0, 0.2, 0.1]
 ResetCamera(view)
 SaveScreenshot(picture, view)
