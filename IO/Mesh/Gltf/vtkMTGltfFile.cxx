@@ -272,7 +272,7 @@ vtkMTGltfFile::Range vtkMTGltfFile::OpenCompressed(std::size_t view, const Json&
   std::vector<unsigned char> bytes = vtkMTGltfMeshopt::Decode(extension, range.ReadAll(where), length, where);
   const std::uint64_t size = bytes.size();
   this->Decoded.emplace_back(view, Range{ std::make_shared<vtkMTMemoryByteSource>(std::move(bytes)), 0, size });
-  const Range decoded = this->Decoded.back().second;
+  Range decoded = this->Decoded.back().second;
   if (this->Decoded.size() > DecodedViewsLimit)
   {
     this->Decoded.pop_front();
