@@ -23,11 +23,15 @@ install_paraview()
   packages=$(mktemp -d)
   # apt's own user has to write there.
   chmod 755 "${packages}"
-  (cd "${packages}" && apt-get download -q paraview paraview-dev python3-paraview 2> /dev/null)
+  (cd "${packages}" && apt-get download -q paraview paraview-dev python3-paraview) > "${packages}/log" 2>&1 || true
+  local package names=("${packages}"/*.deb)
+  if ((${#names[@]} != 3)); then
+    cat "${packages}/log" >&2
+    fail "apt-get could not download paraview, paraview-dev and python3-paraview"
+  fi
   mkdir -p "${prefix}"
-  local package
-  for package in "${packages}"/*.deb; do
-    dpkg -x "${package}" "${prefix}"
+  for package in "${names[@]}"; do
+    dpkg -x "${package}" "${prefix}" || fail "${package} could not be unpacked into ${prefix}"
   done
   rm -r "${packages}"
   touch "${prefix}/complete"
