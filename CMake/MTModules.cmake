@@ -1,28 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Finds VTK and builds the toolkit's VTK modules, layer by layer. A folder is a module when it has a
-# vtk.module and a CMakeLists.txt, and when the modules that it names are there.
-set(mt_module_files)
-set(mt_present)
-foreach (folder IN ITEMS
-    Module
-    Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
-    Rendering/Core
-    IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General
-    Filters/Building Interaction/Viewer)
-  if (NOT EXISTS "${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt")
-    continue ()
-  endif ()
-  file(STRINGS "${CMAKE_SOURCE_DIR}/${folder}/vtk.module" names REGEX "^ *MultiTriangulation::")
-  list(TRANSFORM names STRIP)
-  list(POP_FRONT names name)
-  list(REMOVE_ITEM names ${mt_present} "")
-  if (names)
-    message(WARNING "${folder} is left out: no ${names}")
-  else ()
-    list(APPEND mt_present ${name})
-    list(APPEND mt_module_files "${CMAKE_SOURCE_DIR}/${folder}/vtk.module")
-  endif ()
-endforeach ()
+# Finds VTK and builds the toolkit's VTK modules, layer by layer.
+set(MT_SOURCE_DIR "${CMAKE_SOURCE_DIR}")
+include(MTModuleFolders)
+include(MTUnityBuild)
 
 # VTK's components: what the vtk.module files name, and what the command, the examples, the tests and Python add. What
 # is linked must be named here or there, or CMake complains of targets that were not found (MPI::MPI_C).
@@ -44,6 +24,12 @@ list(REMOVE_DUPLICATES mt_vtk_components)
 list(SORT mt_vtk_components)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${mt_vtk_components})
 
+# A wheel takes one component of all modules, and holds no symbolic links, so the libraries have no versions there.
+if (SKBUILD)
+  set(mt_component_for_each_module OFF)
+else ()
+  set(mt_component_for_each_module ON)
+endif ()
 set(MT_CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/multitriangulation")
 vtk_module_scan(
   MODULE_FILES ${mt_module_files}
@@ -56,7 +42,7 @@ vtk_module_build(
   INSTALL_EXPORT MultiTriangulation
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/multitriangulation"
   CMAKE_DESTINATION "${MT_CMAKE_DESTINATION}"
-  TARGET_SPECIFIC_COMPONENTS ON
+  TARGET_SPECIFIC_COMPONENTS ${mt_component_for_each_module}
   USE_EXTERNAL OFF)
 
 # vtk_module_build has an argument for this, but takes a SOVERSION whose major number is 0 for none. Until 1.0 every minor
@@ -67,8 +53,13 @@ else ()
   set(MT_SOVERSION "${PROJECT_VERSION_MAJOR}")
 endif ()
 foreach (module IN LISTS mt_modules)
+  if (SKBUILD)
+    continue ()
+  endif ()
   vtk_module_set_properties(${module} VERSION "${PROJECT_VERSION}" SOVERSION "${MT_SOVERSION}")
 endforeach ()
+
+mt_unity_build(${mt_modules})
 
 # What reads bytes from outside counts its branches for the fuzzers. Nothing else does: it would slow down the unit tests,
 # which are built in the same tree.

@@ -17,6 +17,9 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+if (SKBUILD)
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../../vtkmodules") # where VTK's own wheel has its libraries
+endif ()
 
 # Results must be the same whatever the optimiser may choose: no contraction to fused operations.
 add_compile_options(-ffp-contract=off)

@@ -35,6 +35,7 @@ if (MT_SANITIZE)
     Builder.EveryPlaceOfAPatchIsWithinItsError
     Builder.EveryUsableTriangleIsStored
     Builder.RootHasAtMostTwoPatches
+    Builder.SameBytesForAnyNumberOfThreads
     CutFollower.CutTakesLittleTimeAlongAFlight
     ExactPoints.FinestLevelGivesTheInputsBitsBack
     ExtractionBudget.IsUsedToNineTenthsFromFiftyMeanPatchesOn

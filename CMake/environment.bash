@@ -7,27 +7,30 @@ fail()
   exit 1
 }
 
-require_debian_12()
+# Sets debian_release: 12 or 13.
+require_debian()
 {
-  local id="" version=""
+  local id=""
+  debian_release=""
   if [[ -r /etc/os-release ]]; then
     id=$(. /etc/os-release && echo "${ID:-}")
-    version=$(. /etc/os-release && echo "${VERSION_ID:-}")
+    debian_release=$(. /etc/os-release && echo "${VERSION_ID:-}")
   fi
-  if [[ "${id}" != debian || "${version}" != 12 ]]; then
-    fail "this script is made for Debian 12 (bookworm); this is '${id:-unknown} ${version}'." \
-      "Elsewhere install what corresponds to CMake/packages-debian12.txt (VTK 9.1, CGAL 5.5 or later), then:" \
+  if [[ "${id}" != debian || ! "${debian_release}" =~ ^1[23]$ ]]; then
+    fail "this script is made for Debian 12 (bookworm) and 13 (trixie); this is '${id:-unknown} ${debian_release}'." \
+      "Elsewhere install what corresponds to CMake/packages-debian.txt (VTK 9.1, CGAL 5.5 or later), then:" \
       "cmake -S . -B build && cmake --build build && ctest --test-dir build"
   fi
 }
 
-# packages_of GROUP...: the names listed under these groups.
+# packages_of GROUP...: the names listed under these groups for this release.
 packages_of()
 {
   local group
   for group in "$@"; do
-    awk -v group="[${group}]" '/^#/ || !NF { next } /^\[/ { on = ($1 == group); next } on { print $1 }' \
-      CMake/packages-debian12.txt
+    awk -v group="[${group}]" -v release="${debian_release}" \
+      '/^#/ || !NF { next } /^\[/ { on = ($1 == group); next } on && (NF == 1 || $2 == release) { print $1 }' \
+      CMake/packages-debian.txt
   done
 }
 

@@ -34,6 +34,11 @@ inline double Norm(const Vector& a)
 {
   return std::sqrt(Dot(a, a));
 }
+/// Norm, also where squares would overflow or vanish; slower.
+inline double Length(const Vector& a)
+{
+  return std::hypot(a[0], a[1], a[2]);
+}
 /// a + (b - a) t
 inline Vector Lerp(const Vector& a, const Vector& b, double t)
 {

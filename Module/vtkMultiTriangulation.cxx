@@ -2,6 +2,7 @@
 #include "vtkMultiTriangulation.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
@@ -11,7 +12,9 @@
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPlacement.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -161,6 +164,24 @@ bool vtkMultiTriangulation::SetSource(std::shared_ptr<const vtkMTPatchSource> so
   this->Source = std::move(source);
   this->SourcePoints = this->Points;
   return true;
+}
+
+//------------------------------------------------------------------------------
+// The arrays stay, with no tuples: what has no arrays at all cannot be told from a model without any.
+void vtkMultiTriangulation::RemoveMesh()
+{
+  const std::shared_ptr<const vtkMTPatchSource> source = this->GetSource();
+  const std::array<double, 16> frame = this->Frame;
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkPoints> points;
+  points->SetDataType(this->Points ? this->Points->GetDataType() : VTK_FLOAT);
+  empty->SetPoints(points);
+  empty->GetPointData()->CopyAllocate(this->PointData);
+  empty->GetCellData()->CopyAllocate(this->CellData);
+  this->Superclass::ShallowCopy(empty);
+  this->Source = source;
+  this->SourcePoints = source ? this->Points : nullptr;
+  this->Frame = source ? frame : vtkMTPlacement().Matrix;
 }
 
 //------------------------------------------------------------------------------

@@ -87,6 +87,12 @@ public:
   ///@}
 
   /**
+   * Empties points, cells and arrays and keeps the patches: what is asked for by GetSource and GetModelBounds stays.
+   * For all but one of the processes of a parallel program, which each have a handle, lest each have the same mesh.
+   */
+  void RemoveMesh();
+
+  /**
    * Bounds that hold every cut, in the object's coordinates; from the DAG, nothing is read. The frame turns the box of
    * the lattice's axes, so under a rotation they are not the tightest. Uninitialised bounds where there are no patches.
    */

@@ -8,20 +8,15 @@
 #ifndef vtkMTCollapsePolicies_h
 #define vtkMTCollapsePolicies_h
 
+#include "vtkMTCgalCompatibility.h"
 #include "vtkMTCgalMesh.h"
 #include "vtkMTCollapseRegion.h"
 
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/version.h>
-
-#include <boost/optional.hpp>
 
 #include <cstdint>
 #include <type_traits>
 #include <utility>
-
-/// Members of CGAL's algorithm are private: they are specialised for the versions that they were written for only.
-#define vtkMT_CGAL_IS_KNOWN (CGAL_VERSION_NR >= 1050500000 && CGAL_VERSION_NR < 1050600000)
 
 namespace vtkMTCollapse
 {
@@ -29,8 +24,8 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 using Region = vtkMTCollapseRegion;
 using Surface = vtkMTCgalMesh::Surface;
 using Point = vtkMTCgalMesh::Point;
-using Place = boost::optional<Point>;
-using Cost = boost::optional<double>;
+using Place = Optional<Point>;
+using Cost = Optional<double>;
 
 /// The collapsing edge of a profile, as the region numbers it.
 template <class Profile>

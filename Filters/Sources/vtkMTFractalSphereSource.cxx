@@ -21,7 +21,8 @@ vtkMTFractalSphereSource::~vtkMTFractalSphereSource() = default;
 int vtkMTFractalSphereSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
-  vtkMTFractalSphere stream(static_cast<std::uint64_t>(this->NumberOfTriangles), this->Seed);
+  vtkMTFractalSphere stream(
+    static_cast<std::uint64_t>(this->NumberOfTriangles), static_cast<std::uint64_t>(this->Seed));
   std::string error;
   if (!vtkMTStreamOutput::Fill(stream, this, vtkPolyData::GetData(outputVector), error) && !error.empty())
   {

@@ -33,8 +33,8 @@ public:
   ///@{
   /// Chooses the noise: the same seed gives the same surface on every machine. Any number; default 0, which is the
   /// permutation of Perlin's paper.
-  vtkSetMacro(Seed, vtkTypeUInt64);
-  vtkGetMacro(Seed, vtkTypeUInt64);
+  vtkSetMacro(Seed, vtkIdType);
+  vtkGetMacro(Seed, vtkIdType);
   ///@}
 
 protected:
@@ -48,7 +48,7 @@ private:
   void operator=(const vtkMTFractalSphereSource&) = delete;
 
   vtkIdType NumberOfTriangles = 81920;
-  vtkTypeUInt64 Seed = 0;
+  vtkIdType Seed = 0;
 };
 
 #endif

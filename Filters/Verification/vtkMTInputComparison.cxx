@@ -18,10 +18,6 @@ using namespace vtkMTVector;
 
 namespace
 {
-double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
 
 template <class... Parts>
 std::string Write(const Parts&... parts)

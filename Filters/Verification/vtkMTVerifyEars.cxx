@@ -12,11 +12,6 @@ namespace
 {
 using Corner = vtkMTVerifyEars::Corner;
 
-double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
 bool IsBetween(const Corner& a, const Corner& b, const Corner& x)
 {
   return (x.X - a.X) * (x.X - b.X) + (x.Y - a.Y) * (x.Y - b.Y) < 0.0;

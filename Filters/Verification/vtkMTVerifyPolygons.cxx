@@ -24,11 +24,6 @@ constexpr std::size_t StartsLimit = 8;
 // What rounding may make of a flat triangle, as a share of its polygon.
 constexpr double FlatShare = 1e-9;
 
-double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
 // The same for all copies of a triangle in one turn.
 std::uint64_t GetKey(const Vector& a, const Vector& b, const Vector& c)
 {

@@ -66,6 +66,22 @@ def _get_component(data, name, component):
     return 0 if single else -1 if component is None else component
 
 
+def configure(mapper, pixel_error, metric, triangles, color_by=None):
+    """What a mapper draws of a model; color_by is "level", "patch" or "error", or None."""
+    if metric not in _METRICS or not hasattr(vtkMultiTriangulationMapper, _METRICS[metric]):
+        raise ValueError(f"metric='{metric}' is none of {', '.join(_METRICS)}")
+    if color_by is not None and color_by not in _OF_CUT:
+        raise ValueError(f"color_by='{color_by}' is none of {', '.join(_OF_CUT)}")
+    mapper.SetErrorMetric(getattr(mapper, _METRICS[metric]))
+    mapper.SetTriangleLimit(int(triangles))
+    with Listener(mapper) as listener:
+        mapper.SetPixelError(float(pixel_error))
+    if listener.errors:
+        raise ValueError(f"pixel_error={pixel_error}: {listener.errors[0]}")
+    if color_by is not None:
+        mapper.SetColorBy(getattr(mapper, _OF_CUT[color_by]))
+
+
 def actor(
     model: Any,
     *,
@@ -95,16 +111,9 @@ def actor(
     model = open_model(model)
     if not isinstance(model, Model):
         model = wrap(model)
-    if metric not in _METRICS or not hasattr(vtkMultiTriangulationMapper, _METRICS[metric]):
-        raise ValueError(f"metric='{metric}' is none of {', '.join(_METRICS)}")
     mapper = vtkMultiTriangulationMapper()
+    configure(mapper, pixel_error, metric, triangles)
     mapper.SetInputDataObject(model)
-    mapper.SetErrorMetric(getattr(mapper, _METRICS[metric]))
-    mapper.SetTriangleLimit(int(triangles))
-    with Listener(mapper) as listener:
-        mapper.SetPixelError(float(pixel_error))
-    if listener.errors:
-        raise ValueError(f"pixel_error={pixel_error}: {listener.errors[0]}")
     _color(mapper, model, color_by, component, clim, lut)
     result = vtkActor()
     result.SetMapper(mapper)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchArena.h"
 
+#include "vtkMTOpenGL.h"
 #include "vtkShaderProgram.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkMTPatchArena: how large its buffers are, and how slots get other places in them.
+#include "vtkMTOpenGL.h"
 #include "vtkMTPatchArena.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <utility>

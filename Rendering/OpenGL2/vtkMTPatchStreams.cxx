@@ -3,9 +3,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkMTGraph.h"
+#include "vtkMTOpenGL.h"
 #include "vtkMTPatchAttributes.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cstring>
@@ -111,7 +110,7 @@ void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchAren
       declare("scalarColor", MakeVertexFormat(4, GL_UNSIGNED_BYTE, 4), GetRevision(plan.ColorRevision), Stream::Color);
       break;
     case PointCoordinates:
-      declare("tcoord", MakeVertexFormat(2, GL_FLOAT, 8), GetRevision(plan.ColorRevision), Stream::Color);
+      declare(vtkMTColorCoordinates, MakeVertexFormat(2, GL_FLOAT, 8), GetRevision(plan.ColorRevision), Stream::Color);
       break;
     case CellColors:
       declare(GetCellStream(CellColorStream, plan), MakeTriangleFormat(4 * times), GetRevision(plan.ColorRevision),

@@ -2,10 +2,9 @@
 #include "vtkMTTrianglePainter.h"
 
 #include "vtkMTGraph.h"
+#include "vtkMTOpenGL.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkShaderProgram.h"
-
-#include "vtk_glew.h"
 
 namespace
 {

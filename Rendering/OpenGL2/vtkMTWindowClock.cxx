@@ -3,11 +3,11 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkMTFrameHeap.h"
+#include "vtkMTOpenGL.h"
 #include "vtkOpenGLRenderTimer.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <chrono>

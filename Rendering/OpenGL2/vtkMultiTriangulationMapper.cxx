@@ -78,6 +78,7 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatchMemoryLimit: " << this->PatchMemoryLimit << "\n";
   os << indent << "GraphicsMemoryLimit: " << this->GraphicsMemoryLimit << "\n";
   os << indent << "DrawingRate: " << this->DrawingRate << "\n";
+  os << indent << "DrawnShare: " << this->DrawnShare[0] << " of " << this->DrawnShare[1] << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
   os << indent << "NumberOfCulledPatches: " << this->NumberOfCulledPatches << "\n";
@@ -121,6 +122,7 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetPatchMemoryLimit(other->GetPatchMemoryLimit());
     this->SetGraphicsMemoryLimit(other->GetGraphicsMemoryLimit());
     this->SetDrawingRate(other->GetDrawingRate());
+    this->SetDrawnShare(other->DrawnShare[0], other->DrawnShare[1]);
   }
   if (auto* other = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
   {
@@ -277,7 +279,8 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
 std::vector<std::uint32_t> vtkMultiTriangulationMapper::GetDrawnArcs() const
 {
   const vtkMTFrame::Result* last = this->Implementation->Frame.GetLast();
-  return last ? last->Arcs : std::vector<std::uint32_t>();
+  const bool shares = last && this->Implementation->DrawsShare;
+  return shares ? this->Implementation->Share : last ? last->Arcs : std::vector<std::uint32_t>();
 }
 
 //------------------------------------------------------------------------------

@@ -247,6 +247,17 @@ public:
 
   ///@{
   /**
+   * Share number share, from 0, of count: what of the cut is drawn, where several processes that find the same cut
+   * draw one picture. Shares are disjoint, about equal in triangles; number count is empty. Default 0 of 1: all.
+   * Clamped: count to 1 or more, share to [0, count]. Figures are the share's. With WAIT_ALWAYS and a DrawingRate of
+   * 1e15 the cut depends on nothing but the view.
+   */
+  void SetDrawnShare(int share, int count);
+  vtkGetVector2Macro(DrawnShare, int);
+  ///@}
+
+  ///@{
+  /**
    * Bytes of patches in main memory, with what loading takes: never more. Default 512 MiB; negative values are clamped
    * to 0. Of a patch that does not fit while it is read the coarser one is drawn, and an error is reported.
    */
@@ -428,6 +439,7 @@ private:
   vtkIdType PatchMemoryLimit = vtkIdType(512) << 20;
   vtkIdType GraphicsMemoryLimit = vtkIdType(512) << 20;
   double DrawingRate = 0.0;
+  int DrawnShare[2] = { 0, 1 };
 
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberOfPatches = 0;

@@ -3,6 +3,7 @@
 #include "vtkActor.h"
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
+#include "vtkMTOpenGL.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
@@ -163,7 +164,7 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
     one->SetNumberOfComponents(2);
     one->SetNumberOfTuples(1);
     one->Fill(0.0);
-    declare("tcoord", one);
+    declare(vtkMTColorCoordinates, one);
   }
   this->VBOs->BuildAllVBOs(renderer);
 

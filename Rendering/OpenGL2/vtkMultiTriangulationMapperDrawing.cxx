@@ -2,6 +2,7 @@
 // vtkMultiTriangulationMapper: draw calls and picking.
 #include "vtkActor.h"
 #include "vtkHardwareSelector.h"
+#include "vtkMTOpenGL.h"
 #include "vtkMTPalette.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTSelectionIds.h"
@@ -13,8 +14,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -82,7 +81,7 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode)
 {
   Internals& self = *this->Implementation;
-  if (self.Cut->Arcs.empty() || !self.Painter->HasBuffers())
+  if (self.GetDrawnArcs().empty() || !self.Painter->HasBuffers())
   {
     return;
   }
@@ -107,7 +106,7 @@ void vtkMultiTriangulationMapper::DrawPrimitives(
   {
     colors.OfPatch = [this](std::uint32_t arc) { return this->GetPatchColor(arc); };
   }
-  self.Painter->Draw(cellBO.Program, mode, self.Cut->Arcs, colors);
+  self.Painter->Draw(cellBO.Program, mode, self.GetDrawnArcs(), colors);
   if (self.HasCellTextures)
   {
     self.CellTextureBuffer->Deactivate();
@@ -122,7 +121,7 @@ void vtkMultiTriangulationMapper::DrawVertices(vtkRenderer* renderer, vtkActor* 
   this->UpdateShaders(cellBO, renderer, actor);
   if (cellBO.Program)
   {
-    this->Implementation->Painter->DrawVertices(cellBO.Program, this->Implementation->Cut->Arcs);
+    this->Implementation->Painter->DrawVertices(cellBO.Program, this->Implementation->GetDrawnArcs());
   }
   this->DrawingVertices = false;
 }

@@ -33,6 +33,42 @@ std::uint64_t GetLower(std::uint64_t a, std::uint64_t b)
 }
 
 //------------------------------------------------------------------------------
+// A patch is in the share that the middle of its triangles lies in, when those of all patches are put in a row.
+void vtkMultiTriangulationMapper::Internals::TakeShare(const int share[2])
+{
+  this->DrawsShare = share[0] != 0 || share[1] != 1;
+  this->Share.clear();
+  this->ShareTriangles = 0;
+  const std::uint64_t all = std::max<std::uint64_t>(this->Cut->Triangles, 1);
+  const auto count = static_cast<std::uint64_t>(share[1]);
+  std::uint64_t before = 0;
+  for (std::size_t i = 0; this->DrawsShare && i < this->Cut->Arcs.size(); ++i)
+  {
+    const std::uint64_t triangles = this->Graph().Arcs[this->Cut->Arcs[i]].Triangles;
+    const std::uint64_t own = std::min((2 * before + triangles) * count / (2 * all), count - 1);
+    before += triangles;
+    if (own == static_cast<std::uint64_t>(share[0]))
+    {
+      this->Share.push_back(this->Cut->Arcs[i]);
+      this->ShareTriangles += triangles;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationMapper::SetDrawnShare(int share, int count)
+{
+  const int shares = std::max(count, 1);
+  const int clamped = std::clamp(share, 0, shares);
+  if (clamped != this->DrawnShare[0] || shares != this->DrawnShare[1])
+  {
+    this->DrawnShare[0] = clamped;
+    this->DrawnShare[1] = shares;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkMultiTriangulationMapper::WaitsFor(vtkRenderer* renderer)
 {
   constexpr double still = 0.01; // frames per second; interactors ask for 0.0001
@@ -96,6 +132,7 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   self.Cut = &self.Frame.Update(self.GetKey(renderer, actor), self.Views, settings, *self.Painter);
   const std::array<double, 6>& bounds = self.GetBounds(self.Frame.GetSource());
   self.Origin = self.Graph().Lattice.Snap(vtkMTRendererView::GetNearest(renderer, modelToWorld, bounds).data());
+  self.TakeShare(this->DrawnShare);
   this->TakeFigures();
   if (settings.Advance)
   {
@@ -119,8 +156,8 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
 void vtkMultiTriangulationMapper::TakeFigures()
 {
   const Internals& self = *this->Implementation;
-  this->NumberOfTriangles = static_cast<vtkIdType>(self.Cut->Triangles);
-  this->NumberOfPatches = static_cast<vtkIdType>(self.Cut->Arcs.size());
+  this->NumberOfTriangles = static_cast<vtkIdType>(self.DrawsShare ? self.ShareTriangles : self.Cut->Triangles);
+  this->NumberOfPatches = static_cast<vtkIdType>(self.GetDrawnArcs().size());
   this->NumberOfCulledPatches = static_cast<vtkIdType>(self.Cut->ArcsCulled);
   this->NumberOfCulledTriangles = static_cast<vtkIdType>(self.Cut->TrianglesCulled);
   this->NumberOfFacingAwayPatches = static_cast<vtkIdType>(self.Cut->ArcsFacingAway);

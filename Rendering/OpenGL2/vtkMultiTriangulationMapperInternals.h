@@ -61,7 +61,10 @@ struct vtkMultiTriangulationMapper::Internals
   vtkStateStorage NewColorState;
 
   std::vector<vtkMTView> Views;
-  const vtkMTFrame::Result* Cut = nullptr;       // what this pass draws
+  const vtkMTFrame::Result* Cut = nullptr; // what this pass shows
+  std::vector<std::uint32_t> Share;        // of its arcs, what this process draws, where it draws a share
+  std::uint64_t ShareTriangles = 0;
+  bool DrawsShare = false;
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;
   double CallSeconds = 0.0; // until this pass's draw calls had returned
@@ -79,6 +82,9 @@ struct vtkMultiTriangulationMapper::Internals
   std::list<Seen> AllSeen;
 
   const vtkMTGraph& Graph() const { return this->Frame.GetGraph(); }
+
+  void TakeShare(const int share[2]);
+  const std::vector<std::uint32_t>& GetDrawnArcs() const { return this->DrawsShare ? this->Share : this->Cut->Arcs; }
 
   // Row-major: the input's frame, and then the actor's matrix.
   std::array<double, 16> GetModelToWorld(vtkActor* actor) const

@@ -11,6 +11,7 @@
 #include "vtkMTLatticeDec.h"
 #include "vtkMTLatticeImpl.h"
 #include "vtkMTLightDistance.h"
+#include "vtkMTOpenGL.h"
 #include "vtkMTPbrLightDistance.h"
 #include "vtkMTViewUnitDec.h"
 #include "vtkMatrix3x3.h"
@@ -23,8 +24,6 @@
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,7 @@ from pathlib import Path
 import public_headers
 from check_language import list_files
 
-FOLDERS = ("Module/", "Filters/", "IO/", "Rendering/", "Interaction/", "Applications/")
+FOLDERS = ("Module/", "Filters/", "IO/", "Rendering/", "Interaction/", "Applications/", "ParaView/")
 SOURCES = (".h", ".hxx", ".cxx", ".glsl")
 FILE_LINES = 450
 LONG_FILES = 5

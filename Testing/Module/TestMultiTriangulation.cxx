@@ -118,6 +118,28 @@ TEST(MultiTriangulation, HandleEndsWithItsPoints)
   EXPECT_NE(mt->GetSource(), nullptr);
 }
 
+TEST(MultiTriangulation, RemovingTheMeshLeavesThePatches)
+{
+  const auto mt = MakeTube();
+  double before[6];
+  mt->GetModelBounds(before);
+  vtkNew<vtkMultiTriangulation> bare;
+  bare->ShallowCopy(mt);
+  bare->RemoveMesh();
+  EXPECT_EQ(bare->GetNumberOfPoints(), 0);
+  EXPECT_EQ(bare->GetNumberOfCells(), 0);
+  EXPECT_EQ(bare->GetPointData()->GetNumberOfArrays(), mt->GetPointData()->GetNumberOfArrays());
+  EXPECT_EQ(bare->GetPointData()->GetArray("height")->GetNumberOfTuples(), 0);
+  EXPECT_EQ(bare->GetSource(), mt->GetSource());
+  double after[6];
+  bare->GetModelBounds(after);
+  EXPECT_TRUE(std::equal(before, before + 6, after));
+  EXPECT_GT(mt->GetNumberOfPoints(), 0) << "copies of it keep theirs";
+  vtkNew<vtkMultiTriangulation> copy;
+  copy->ShallowCopy(bare);
+  EXPECT_EQ(copy->GetSource(), mt->GetSource());
+}
+
 TEST(MultiTriangulation, TravelsThroughAPipeline)
 {
   const auto mt = MakeTube();

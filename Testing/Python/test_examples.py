@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """test_examples.py FOLDER: runs the examples of Examples/Python as their users do, and looks at what they draw and print. Needs a
 display."""
+import importlib.util
 import os
 import re
 import subprocess
@@ -97,6 +98,17 @@ class Examples(unittest.TestCase):
         colours = {tuple(each) for each in pixels.reshape(-1, 3)}
         print(len(colours), "colours")
         self.assertGreater(len(colours), 1000)
+
+    def test_in_pyvista(self):
+        self.ran.add("in_pyvista.py")
+        if importlib.util.find_spec("pyvista") is None:
+            self.skipTest("there is no PyVista")
+        said = self.run_example("in_pyvista.py", self.model, "height", self.path("pyvista.png"))
+        print(said, end="")
+        self.assertRegex(said, r"^12,480 triangles, [\d,]+ of them drawn\n$")
+        pixels = read(self.path("pyvista.png"))
+        for half in (pixels[:, :600], pixels[:, 600:]):
+            self.assertGreater((half != half[0, 0]).any(axis=2).mean(), 0.1)
 
     def test_pick(self):
         hit = self.run_example("pick.py", self.model, 400, 300)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """test_readme.py DOCUMENT...: runs the Python blocks of documents, word for word and in order, on a mesh.ply made here, and
 looks at the picture.png that they make."""
+import importlib.util
 import os
 import re
 import sys
@@ -40,6 +41,9 @@ def run(document):
         write_mesh("mesh.ply")
         scope = {}
         for block in blocks:
+            if "import pyvista" in block and importlib.util.find_spec("pyvista") is None:
+                print("a block is left out: there is no PyVista")
+                continue
             exec(compile(block, document, "exec"), scope)
         lit, number = count_lit_pixels("picture.png") if os.path.exists("picture.png") else (0, 1)
         os.chdir("/")

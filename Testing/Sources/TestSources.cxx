@@ -124,7 +124,7 @@ TEST(Sources, GiveTheTrianglesOfTheirStreams)
   {
     vtkNew<vtkMTFractalSphereSource> sphere;
     sphere->SetNumberOfTriangles(triangles);
-    sphere->SetSeed(seed);
+    sphere->SetSeed(static_cast<vtkIdType>(seed));
     sphere->Update();
     vtkMTFractalSphere stream(static_cast<std::uint64_t>(triangles), seed);
     EXPECT_EQ(CountDifferent(stream, sphere->GetOutput()), 0) << triangles;
@@ -142,7 +142,7 @@ TEST(Sources, HaveTheDefaultsAndRangesThatTheirHeadersSay)
 {
   vtkNew<vtkMTFractalSphereSource> sphere;
   EXPECT_EQ(sphere->GetNumberOfTriangles(), 81920);
-  EXPECT_EQ(sphere->GetSeed(), 0u);
+  EXPECT_EQ(sphere->GetSeed(), 0);
   sphere->SetNumberOfTriangles(-5);
   EXPECT_EQ(sphere->GetNumberOfTriangles(), 1);
   sphere->SetNumberOfTriangles(vtkIdType(1) << 40);

@@ -5,6 +5,7 @@
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTSurfaceSampler.h"
+#include "vtkMTVector.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkSetGet.h"
@@ -15,32 +16,14 @@
 #include <functional>
 #include <sstream>
 
+using namespace vtkMTVector;
+
 namespace
 {
 // Normals are stored in single precision.
 constexpr double AngleTolerance = 1e-6;
 constexpr double RightAngle = 1.5707963267948966;
 constexpr double Straight = 2.0 * RightAngle;
-
-vtkMTRealPoint Subtract(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-vtkMTRealPoint Cross(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Length(const vtkMTRealPoint& a)
-{
-  return std::sqrt(Dot(a, a));
-}
 
 vtkMTRealPoint Blend(const std::array<vtkMTRealPoint, 3>& corners, double u, double v)
 {
@@ -109,7 +92,7 @@ vtkMTRealPoint vtkMTNormalSampling::Shaded::GetNormal(std::uint32_t triangle, co
 {
   const std::array<double, 2> weights = this->GetWeights(triangle, x);
   vtkMTRealPoint normal = Blend(this->Normals[triangle], weights[0], weights[1]);
-  const double length = Length(normal);
+  const double length = Norm(normal);
   for (double& n : normal)
   {
     n = length > 0.0 ? n / length : 0.0;
@@ -218,7 +201,7 @@ void vtkMTNormalSampling::AddNormals(const vtkMTPatch& patch, std::size_t triang
   {
     const Corners x = shaded.GetCorners(static_cast<std::uint32_t>(shaded.Normals.size()));
     const vtkMTRealPoint across = Cross(Subtract(x[1], x[0]), Subtract(x[2], x[0]));
-    const double length = Length(across);
+    const double length = Norm(across);
     for (int i = 0; i < 3; ++i)
     {
       normals[0][i] = length > 0.0 ? across[i] / length : 0.0;
@@ -255,8 +238,8 @@ bool vtkMTNormalSampling::HasPoint(const Shaded& to, std::uint32_t triangle, con
   const auto excess = [&](double u, double v)
   {
     const vtkMTRealPoint n = Blend(normals, u, v);
-    const double turned = Length(n) * allowed.Cosine - Dot(n, normal);
-    return std::max(turned, Length(Subtract(Blend(corners, u, v), x)) / allowed.Distance - 1.0);
+    const double turned = Norm(n) * allowed.Cosine - Dot(n, normal);
+    return std::max(turned, Norm(Subtract(Blend(corners, u, v), x)) / allowed.Distance - 1.0);
   };
   if (allowed.Angle >= Straight)
   {

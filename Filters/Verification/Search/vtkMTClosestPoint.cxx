@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTClosestPoint.h"
 
+#include "vtkMTVector.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+
+using namespace vtkMTVector;
 
 namespace
 {
@@ -13,16 +17,6 @@ constexpr std::size_t LeafSize = 6;
 constexpr std::size_t BlockSize = 512;
 // Between two calls of progress: a tenth of a second or less, so that it also serves to stop.
 constexpr std::size_t BlocksPerTurn = 128;
-
-vtkMTRealPoint Subtract(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const vtkMTRealPoint& a, const vtkMTRealPoint& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // a - t * b
 vtkMTRealPoint SubtractScaled(const vtkMTRealPoint& a, double t, const vtkMTRealPoint& b)

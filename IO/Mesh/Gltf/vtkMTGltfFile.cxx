@@ -138,7 +138,8 @@ void vtkMTGltfFile::Parse(const Range& json)
     const std::size_t mark = message.find("] ");
     Fail("the JSON", message.substr(mark == std::string::npos ? 0 : mark + 2));
   }
-  const Json& asset = vtkMTGltfJson::GetObject(this->Document, "asset", "the JSON");
+  const std::string where = "the JSON"; // by its name: to g++ 14 a reference made with a temporary dangles
+  const Json& asset = vtkMTGltfJson::GetObject(this->Document, "asset", where);
   const std::string version = GetText(asset, "version");
   const std::string least = GetText(asset, "minVersion", "2.0");
   if (version.empty())
@@ -271,7 +272,7 @@ vtkMTGltfFile::Range vtkMTGltfFile::OpenCompressed(std::size_t view, const Json&
   std::vector<unsigned char> bytes = vtkMTGltfMeshopt::Decode(extension, range.ReadAll(where), length, where);
   const std::uint64_t size = bytes.size();
   this->Decoded.emplace_back(view, Range{ std::make_shared<vtkMTMemoryByteSource>(std::move(bytes)), 0, size });
-  const Range decoded = this->Decoded.back().second;
+  Range decoded = this->Decoded.back().second;
   if (this->Decoded.size() > DecodedViewsLimit)
   {
     this->Decoded.pop_front();

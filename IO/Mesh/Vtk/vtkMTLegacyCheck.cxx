@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace
 {
@@ -17,14 +18,9 @@ std::size_t SizeOf(const std::string& type)
     { "signed_char", 1 }, { "short", 2 }, { "unsigned_short", 2 }, { "int", 4 }, { "unsigned_int", 4 }, { "float", 4 },
     { "vtkidtype", 4 }, { "long", 8 }, { "unsigned_long", 8 }, { "double", 8 }, { "vtktypeint64", 8 },
     { "vtktypeuint64", 8 }, { "vtktypeint32", 4 }, { "vtktypeuint32", 4 } };
-  for (const auto& entry : sizes)
-  {
-    if (type == entry.first)
-    {
-      return entry.second;
-    }
-  }
-  return 0;
+  const auto* found =
+    std::find_if(std::begin(sizes), std::end(sizes), [&type](const auto& entry) { return type == entry.first; });
+  return found == std::end(sizes) ? 0 : found->second;
 }
 
 class Checker
