@@ -47,8 +47,9 @@ vtkMTFigureOverlay::vtkMTFigureOverlay(const vtkMTColorSelector& colors, std::fu
   font->SetBackgroundOpacity(0.45);
   this->Text->SetPosition(10, 10);
   this->Layer->AddActor2D(this->Text);
-  this->Bar->SetPosition(0.88, 0.2);
-  this->Bar->SetWidth(0.1);
+  this->Bar->SetPosition(0.8, 0.2);
+  this->Bar->SetWidth(0.19); // room for the title
+  this->Bar->SetBarRatio(0.2);
   this->Bar->SetHeight(0.7);
   this->Bar->UnconstrainedFontSizeOn();
   this->Bar->GetTitleTextProperty()->SetFontSize(15);
@@ -56,6 +57,7 @@ vtkMTFigureOverlay::vtkMTFigureOverlay(const vtkMTColorSelector& colors, std::fu
   this->Bar->GetLabelTextProperty()->SetFontSize(14);
   this->Bar->GetLabelTextProperty()->ItalicOff();
   this->Bar->SetVerticalTitleSeparation(8);
+  this->Bar->SetLabelFormat("%.3g");
   this->Bar->VisibilityOff();
   this->Layer->AddActor2D(this->Bar);
   this->Command->SetClientData(this);
@@ -100,14 +102,18 @@ std::string vtkMTFigureOverlay::GetText() const
 std::string vtkMTFigureOverlay::MakeFigures() const
 {
   const vtkMTFrameFigures sums = vtkMTFrameFigures::Find(this->Renderer);
+  if (sums.Models == 0)
+  {
+    return "no model yet";
+  }
   const double frame = this->Renderer->GetLastRenderTimeInSeconds();
   char lines[400];
   std::snprintf(lines, sizeof(lines),
-    "%zu model%s  %s triangles  %s patches (%s culled)  error %.2f of %.2f pixels\n"
+    "%zu model%s  %s triangles  %s patch%s (%s culled)  error %.2f of %.2f pixels\n"
     "frame %.1f ms (%.0f/s)  cut %.1f ms  memory %.1f MiB  GPU %.1f MiB%s%s",
     sums.Models, sums.Models == 1 ? "" : "s", Group(sums.Triangles).c_str(), Group(sums.Patches).c_str(),
-    Group(sums.CulledPatches).c_str(), sums.PixelError, sums.WantedPixelError, 1e3 * frame,
-    frame > 0.0 ? 1.0 / frame : 0.0, 1e3 * sums.CutTime, MiB * sums.PatchMemory, MiB * sums.GraphicsMemory,
+    sums.Patches == 1 ? "" : "es", Group(sums.CulledPatches).c_str(), sums.PixelError, sums.WantedPixelError,
+    1e3 * frame, frame > 0.0 ? 1.0 / frame : 0.0, 1e3 * sums.CutTime, MiB * sums.PatchMemory, MiB * sums.GraphicsMemory,
     sums.IsLoading ? "  loading" : "", sums.IsFrozen ? "  FROZEN" : "");
   return lines;
 }
