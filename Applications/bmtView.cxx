@@ -157,7 +157,7 @@ private:
     if (!events.empty())
     {
       const bool areBoth = !this->Failure.empty() && !this->State.empty();
-      this->Style->SetMessage((this->Failure + (areBoth ? "\n" : "") + this->State).c_str());
+      this->Style->SetStatus((this->Failure + (areBoth ? "\n" : "") + this->State).c_str());
       this->Scene.Window->Render();
     }
     if (!this->IsStarted && (this->Scene.Models->IsAllSeen() || !this->Build.IsRunning()))

@@ -54,6 +54,7 @@ void vtkMTInteractorStyle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShowFigures: " << this->GetShowFigures() << "\n";
   os << indent << "ShowKeys: " << this->ShowKeys << "\n";
   os << indent << "ShowScalarBar: " << this->GetShowScalarBar() << "\n";
+  os << indent << "Status: " << this->Status << "\n";
   os << indent << "Message: " << this->Message << "\n";
   os << indent << "ColorBy: " << this->GetColorBy() << "\n";
   os << indent << "ScreenshotPrefix: " << this->ScreenshotPrefix << "\n";
@@ -400,8 +401,12 @@ std::string vtkMTInteractorStyle::GetOverlayText()
 std::string vtkMTInteractorStyle::GetTextBelowFigures() const
 {
   const Internals& self = *this->Implementation;
-  std::string text = this->Message;
+  std::string text = this->Status;
   const auto add = [&text](const std::string& line) { text += (text.empty() ? "" : "\n") + line; };
+  if (!this->Message.empty())
+  {
+    add(this->Message);
+  }
   if (self.IsRecording || self.IsPlaying)
   {
     char line[80];

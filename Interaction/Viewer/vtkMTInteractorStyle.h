@@ -61,7 +61,13 @@ public:
   ///@}
 
   ///@{
-  /// A text under the figures, of one or more lines. Default: empty.
+  /// A text under the figures, of one or more lines: what the program is doing. No key changes it. Default: empty.
+  vtkSetStdStringFromCharMacro(Status);
+  vtkGetCharFromStdStringMacro(Status);
+  ///@}
+
+  ///@{
+  /// A text under the status, of one or more lines: what the last key did. Default: empty.
   vtkSetStdStringFromCharMacro(Message);
   vtkGetCharFromStdStringMacro(Message);
   ///@}
@@ -179,6 +185,7 @@ private:
   void RenderAll();
 
   bool ShowKeys = false;
+  std::string Status;
   std::string Message;
   std::string ScreenshotPrefix = "bmt";
   std::string PathPrefix = "bmt-path";

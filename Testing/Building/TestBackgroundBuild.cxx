@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <thread>
 
 namespace
@@ -115,6 +116,7 @@ TEST_F(BackgroundBuild, AModelThatIsThereIsTakenAsItIs)
 {
   this->MakeSphere(20480, "one.ply");
   std::string error;
+  std::set<std::filesystem::file_time_type> times;
   for (int i = 0; i < 2; ++i)
   {
     vtkMTBackgroundBuild build;
@@ -123,7 +125,9 @@ TEST_F(BackgroundBuild, AModelThatIsThereIsTakenAsItIs)
     ASSERT_FALSE(events.empty());
     EXPECT_EQ(events.back().Kind, vtkMTBuildEvent::Model);
     EXPECT_EQ(events.back().Text, this->Folder / "one.bmt");
+    times.insert(std::filesystem::last_write_time(this->Folder / "one.bmt"));
   }
+  EXPECT_EQ(times.size(), 1u) << "written once";
   EXPECT_EQ(this->Folder.List(), (std::vector<std::string>{ "one.bmt", "one.ply", "temporary" }));
   EXPECT_TRUE(this->IsTemporaryFolderEmpty());
 }

@@ -206,13 +206,14 @@ TEST_F(InteractorStyle, FiguresAreThoseOfTheFrameAndSummedOverModels)
   this->Type('+');
   EXPECT_EQ(this->First.Mapper->GetPixelError(), 0.5);
   EXPECT_EQ(second.Mapper->GetPixelError(), 0.5);
+  this->Style->SetStatus("building");
   this->Style->SetMessage("hello");
   this->Type('h');
   EXPECT_TRUE(has(vtkMTInteractorStyle::GetKeys()));
   EXPECT_TRUE(has("hello"));
   this->Press("F1");
   this->Type('v');
-  EXPECT_EQ(this->Style->GetOverlayText(), "hello") << "no figures, no keys, but what the program has to say";
+  EXPECT_EQ(this->Style->GetOverlayText(), "building\nhello") << "no figures, no keys, but what the program has to say";
 }
 
 TEST_F(InteractorStyle, ColoursGoThroughAllArraysAndBackToTheData)
@@ -252,6 +253,8 @@ TEST_F(InteractorStyle, ColoursGoThroughAllArraysAndBackToTheData)
   this->Window->Render();
   look();
   this->Type('b');
+  this->Style->SetMessage("");
+  this->Window->Render();
   look();
   EXPECT_EQ(pictures.size(), 3u) << "plain, an array with its scalar bar, and without";
   EXPECT_FALSE(this->Style->SetColorBy("nothing"));
