@@ -48,7 +48,9 @@ public:
    * has no view (position and focal point are equal, view up points along the view).
    */
   bool AddView(double time, vtkCamera* camera);
+  /// Forgets all of them.
   void RemoveAllViews();
+  /// How many there are.
   int GetNumberOfViews() const;
 
   ///@{

@@ -144,6 +144,11 @@ TEST_F(View, WhatIsWrongIsSaidAndNothingIsLeft)
   { EXPECT_NE(this->Fail(arguments).Err.find(text), std::string::npos) << text << ": " << this->Fail(arguments).Err; };
   expect({ this->Path("none.ply") }, "none.ply: there is no such file");
   expect({ this->Path("bad.ply") }, "bad.ply");
+  for (const std::string& name : { "empty.stl", "empty.bmt", "noise.obj", "noise.vtp", "noise.glb" })
+  {
+    this->WriteFile(name, name.rfind("empty", 0) == 0 ? "" : "\x01\x02 noise \xff\xfe");
+    expect({ this->Path(name) }, name);
+  }
   expect({ model, "-o", this->Path("out.bmt") }, "--output");
   expect({ model, "--play", this->Path("bad.csv") }, "bad.csv:2: column pz: 'x'");
   expect({ model, "--play", this->Path("none.csv") }, "none.csv");
