@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bmtCommon.h"
+#include "bmtModel.h"
 #include "bmtScene.h"
 
-#include "vtkMTOutputFile.h"
-
-#include "vtkPNGWriter.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkWindowToImageFilter.h"
+#include "vtkMTScreenshot.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +12,7 @@ namespace
 {
 struct Options : bmtSceneOptions
 {
+  std::string File;
   std::string Output;
 };
 
@@ -27,40 +24,22 @@ double RenderOnce(bmtScene& scene)
   return 1e3 * (bmtWallSeconds() - start);
 }
 
-void WritePicture(bmtScene& scene, const std::string& path)
-{
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(scene.Window);
-  grabber->ShouldRerenderOff();
-  grabber->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grabber->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (!bytes || bytes->GetNumberOfValues() == 0)
-  {
-    throw bmtError(path + " was not written: the picture could not be made");
-  }
-  bmtThrowIfInterrupted();
-  vtkMTOutputFile file;
-  if (!file.Open(path) || !file.Write(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues())) ||
-    !file.Commit())
-  {
-    throw bmtError(file.GetError());
-  }
-}
-
 bmtJson RenderPicture(const Options& options)
 {
   bmtScene scene(options);
+  scene.ShowModel(scene.Models->AddItem(), options.File);
+  scene.RequireColors(options.ColorBy);
   bmtRequireWritable(options.Output);
   scene.RequireDisplay();
   scene.Window->OffScreenRenderingOn();
   const double first = RenderOnce(scene); // reads and uploads patches, compiles shaders
   bmtThrowIfInterrupted();
   const double second = RenderOnce(scene);
-  WritePicture(scene, options.Output);
+  bmtThrowIfInterrupted();
+  if (std::string error; !vtkMTScreenshot::Write(scene.Window, options.Output, error))
+  {
+    throw bmtError(error);
+  }
   bmtJson result;
   result["output"] = options.Output;
   result["width"] = options.Size[0];
@@ -81,6 +60,7 @@ void bmtAddRender(CLI::App& app, bmtContext& context)
     "frame_ms is the time of\n"
     "a frame when everything is loaded, first_frame_ms that of the first one. Needs a display; without a screen:\n"
     "  xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\" bmt render ...");
+  bmtAddModelArgument(*command, options->File);
   bmtAddSceneOptions(*command, *options);
   command->add_option("-o,--output", options->Output, "The picture to write (.png)")->required();
   bmtAddCommonOptions(*command, context);

@@ -3,25 +3,13 @@
 
 #include "bmtModel.h"
 
-#include "vtkCamera.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkLookupTable.h"
+#include "vtkMTCameraPathFile.h"
 #include "vtkMTDisplay.h"
-#include "vtkMTDrawableScale.h"
-#include "vtkMTGraph.h"
-#include "vtkMTPatchSource.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
-#include "vtkProperty.h"
-#include "vtkTexture.h"
+#include "vtkMTFrameFigures.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <map>
+#include <cstdio>
 
 namespace
 {
@@ -38,24 +26,10 @@ std::string ParseSize(const std::string& text, std::array<int, 2>& size)
   return "'" + text + "' is no size such as 1024x768";
 }
 
-std::string CheckCamera(const std::vector<double>& c)
-{
-  const double direction[3] = { c[3] - c[0], c[4] - c[1], c[5] - c[2] };
-  double side[3];
-  vtkMath::Cross(direction, &c[6], side);
-  const bool isFinite = std::all_of(c.begin(), c.end(), [](double x) { return std::isfinite(x); });
-  if (isFinite && vtkMath::Norm(side) > 1e-9 * vtkMath::Norm(direction) * vtkMath::Norm(&c[6]))
-  {
-    return "";
-  }
-  return "the camera's position, focal point and view up do not make a view; position and focal point must differ, and "
-         "view up must not point along the view";
-}
 }
 
 void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
 {
-  bmtAddModelArgument(command, options.File);
   command
     .add_option_function<std::string>(
       "--size",
@@ -96,56 +70,26 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options)
 }
 
 bmtScene::bmtScene(const bmtSceneOptions& options)
+  : Options(options)
 {
-  if (!this->Model->SetSource(bmtOpenModel(options.File)))
+  vtkMTCameraView view;
+  const std::vector<double>& c = options.Camera;
+  if (!c.empty())
   {
-    throw bmtError(options.File + ": its coarsest patches cannot be read; 'bmt verify' says more");
+    view.Position = { c[0], c[1], c[2] };
+    view.FocalPoint = { c[3], c[4], c[5] };
+    view.ViewUp = { c[6], c[7], c[8] };
   }
-  double bounds[6];
-  this->Model->GetModelBounds(bounds);
-  if (const std::string problem = vtkMTDrawableScale::FindProblem(bounds); !problem.empty())
+  view.ViewAngle = options.ViewAngle;
+  if (const std::string problem = view.FindProblem(); !problem.empty())
   {
-    throw bmtError(options.File + " cannot be drawn: " + problem);
+    throw bmtError("--camera: " + problem);
   }
-  this->Textures = vtkMTModelTextures::Read(*this->Model->GetSource());
-  if (std::string error; !options.Texture.empty() && !this->Textures.ReplaceByFile(options.Texture, error))
-  {
-    throw bmtError(error);
-  }
-  this->Mapper->SetInputDataObject(this->Model);
-  this->Mapper->SetPixelError(options.PixelError);
-  const int other = options.Metric == "edges" ? Mapper::EDGE_LENGTH : Mapper::DISTANCE;
-  this->Mapper->SetErrorMetric(options.Metric == "normals" ? Mapper::NORMAL_DEVIATION : other);
-  this->Mapper->SetTriangleLimit(options.Budget);
-  this->Actor->SetMapper(this->Mapper);
-  this->Renderer->AddActor(this->Actor);
+  this->Models = std::make_unique<vtkMTScene>(this->Renderer, view, !c.empty());
   this->Renderer->SetBackground(0.32, 0.34, 0.43);
   this->Window->AddRenderer(this->Renderer);
   this->Window->SetSize(options.Size[0], options.Size[1]);
   this->Window->SetWindowName("bmt");
-  this->SetColorBy(options.ColorBy);
-  this->SetCamera(options);
-}
-
-void bmtScene::SetCamera(const bmtSceneOptions& options)
-{
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetViewAngle(options.ViewAngle);
-  if (options.Camera.empty())
-  {
-    this->Renderer->ResetCamera();
-    return;
-  }
-  const std::vector<double>& c = options.Camera;
-  const std::string problem = CheckCamera(c);
-  if (!problem.empty())
-  {
-    throw bmtError("--camera: " + problem);
-  }
-  camera->SetPosition(&c[0]);
-  camera->SetFocalPoint(&c[3]);
-  camera->SetViewUp(&c[6]);
-  this->Renderer->ResetCameraClippingRange();
 }
 
 void bmtScene::RequireDisplay() const
@@ -156,70 +100,46 @@ void bmtScene::RequireDisplay() const
   }
 }
 
-void bmtScene::SetColorBy(const std::string& what)
+void bmtScene::ShowModel(std::size_t item, const std::string& path)
 {
-  static const std::map<std::string, int> cuts{ { "level", Mapper::LEVEL }, { "patch", Mapper::PATCH },
-    { "error", Mapper::ERROR_IN_PIXELS } };
-  const auto cut = cuts.find(what);
-  this->Mapper->SetColorBy(cut == cuts.end() ? Mapper::NONE : cut->second);
-  this->Mapper->ScalarVisibilityOff();
-  this->Actor->GetProperty()->RemoveAllTextures();
-  if (what.empty())
+  if (std::string error; !this->Models->ShowModel(item, bmtOpenModel(path), path, this->Options.Texture, error))
   {
-    this->Mapper->SelectColors(); // those of the mesh; other values only when they are asked for
-    for (const vtkMTModelTextures::Texture& each : this->Textures.Textures)
-    {
-      vtkNew<vtkTexture> texture;
-      texture->SetInputData(each.Image);
-      texture->InterpolateOn();
-      texture->SetBlendingMode(vtkTexture::VTK_TEXTURE_BLENDING_MODE_MODULATE);
-      this->Actor->GetProperty()->SetTexture(each.Name.c_str(), texture);
-      this->Mapper->MapTextureToMaterial(each.Name.c_str(), each.Material, each.Part);
-    }
+    throw bmtError(error);
   }
-  else if (cut == cuts.end())
-  {
-    this->ColorByArray(what);
-  }
+  Mapper* mapper = this->Models->GetItems()[item]->Mapper;
+  mapper->SetPixelError(this->Options.PixelError);
+  const int other = this->Options.Metric == "edges" ? Mapper::EDGE_LENGTH : Mapper::DISTANCE;
+  mapper->SetErrorMetric(this->Options.Metric == "normals" ? Mapper::NORMAL_DEVIATION : other);
+  mapper->SetTriangleLimit(this->Options.Budget);
 }
 
-void bmtScene::ColorByArray(const std::string& name)
+void bmtScene::RequireColors(const std::string& name)
 {
-  vtkDataArray* array = this->Model->GetPointData()->GetArray(name.c_str());
-  this->Mapper->SetScalarModeToUsePointFieldData();
-  if (!array)
+  vtkMTColorSelector colors;
+  colors.SetRenderer(this->Renderer);
+  if (!colors.Select(name))
   {
-    array = this->Model->GetCellData()->GetArray(name.c_str());
-    this->Mapper->SetScalarModeToUseCellFieldData();
+    throw bmtError("--color-by " + name + ": no such array; there are " + colors.DescribeNames());
   }
-  if (!array)
-  {
-    std::string names = "level, patch, error";
-    for (const vtkMTArrayInfo& each : this->Model->GetSource()->GetGraph().Arrays)
-    {
-      names += ", " + each.Name;
-    }
-    throw bmtError("--color-by " + name + ": no such array; there are " + names);
-  }
-  const int component = array->GetNumberOfComponents() > 1 ? -1 : 0;
-  vtkNew<vtkLookupTable> table;
-  table->SetHueRange(0.667, 0.0); // blue is low
-  table->SetVectorMode(component < 0 ? vtkScalarsToColors::MAGNITUDE : vtkScalarsToColors::COMPONENT);
-  this->Mapper->SelectColorArray(name.c_str());
-  this->Mapper->SetLookupTable(table);
-  this->Mapper->SetScalarRange(array->GetRange(component));
-  this->Mapper->ScalarVisibilityOn();
 }
 
 bmtJson bmtScene::DescribeFrame() const
 {
+  const vtkMTFrameFigures figures = vtkMTFrameFigures::Find(this->Renderer);
   bmtJson json;
-  json["triangles"] = this->Mapper->GetNumberOfTriangles();
-  json["patches"] = this->Mapper->GetNumberOfPatches();
-  json["culled_patches"] = this->Mapper->GetNumberOfCulledPatches();
-  json["pixel_error"] = this->Mapper->GetAchievedPixelError(); // null where it has no bound
-  json["converged"] = this->Mapper->GetConverged();
-  json["cut_ms"] = 1e3 * this->Mapper->GetCutTime();
-  json["texture_problems"] = this->Textures.Problems;
+  json["triangles"] = figures.Triangles;
+  json["patches"] = figures.Patches;
+  json["culled_patches"] = figures.CulledPatches;
+  json["pixel_error"] = figures.PixelError; // null where it has no bound
+  json["converged"] = figures.IsConverged;
+  json["cut_ms"] = 1e3 * figures.CutTime;
+  json["texture_problems"] = bmtJson::array();
+  for (const auto& item : this->Models->GetItems())
+  {
+    for (const std::string& problem : item->GetTextureProblems())
+    {
+      json["texture_problems"].push_back(problem);
+    }
+  }
   return json;
 }

@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class bmtScene
- * @brief a model, its mapper and a window: what `bmt render` and `bmt view` have in common
+ * @brief models, their mappers and a window: what `bmt render` and `bmt view` have in common
  */
 #ifndef bmtScene_h
 #define bmtScene_h
 
 #include "bmtCommon.h"
 
-#include "vtkActor.h"
-#include "vtkMTModelTextures.h"
-#include "vtkMultiTriangulation.h"
-#include "vtkMultiTriangulationMapper.h"
+#include "vtkMTColorSelector.h"
+#include "vtkMTScene.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 /// What the options of both commands say.
 struct bmtSceneOptions
 {
-  std::string File;
   std::array<int, 2> Size{ 1024, 768 };
   std::vector<double> Camera; ///< position, focal point, view up: nine numbers, or none for a view of the whole model
   double ViewAngle = 30.0;    ///< degrees, vertical
@@ -39,7 +37,7 @@ void bmtAddSceneOptions(CLI::App& command, bmtSceneOptions& options);
 class bmtScene
 {
 public:
-  /// Opens the model and sets up everything but the window, which nothing has opened yet. Throws bmtError.
+  /// Sets up everything but the window, which nothing has opened yet. Throws bmtError.
   explicit bmtScene(const bmtSceneOptions& options);
 
   /**
@@ -48,22 +46,19 @@ public:
    */
   void RequireDisplay() const;
 
-  /// "level", "patch", "error", the name of an array of the model, or nothing for the model's colours and textures.
-  void SetColorBy(const std::string& what);
+  /// Shows a model. Throws bmtError.
+  void ShowModel(std::size_t item, const std::string& path);
+  /// Throws bmtError where no model has such an array; it names those that there are.
+  void RequireColors(const std::string& name);
   /// The figures of the last frame.
   bmtJson DescribeFrame() const;
 
-  vtkNew<vtkMultiTriangulation> Model;
-  vtkNew<vtkMultiTriangulationMapper> Mapper;
-  vtkNew<vtkActor> Actor;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkRenderWindow> Window;
+  std::unique_ptr<vtkMTScene> Models;
 
 private:
-  void SetCamera(const bmtSceneOptions& options);
-  void ColorByArray(const std::string& name);
-
-  vtkMTModelTextures Textures;
+  const bmtSceneOptions Options;
 };
 
 #endif

@@ -8,7 +8,7 @@ set(mt_folders
   Filters/Sources Filters/Partition Filters/Simplification Filters/Core Filters/Certification Filters/Verification IO/Core
   Rendering/Core
   IO/MultiTriangulation IO/Mesh IO/Image Filters/Construction Rendering/OpenGL2 Filters/General
-  Filters/Building)
+  Filters/Building Interaction/Viewer)
 list(REMOVE_ITEM mt_folders "" ${MT_OMITTED_FOLDERS})
 foreach (folder IN LISTS mt_folders)
   if (NOT EXISTS "${MT_SOURCE_DIR}/${folder}/CMakeLists.txt")

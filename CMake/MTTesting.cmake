@@ -28,6 +28,7 @@ set(MT_LEFT_OUT_BY_SANITIZERS)
 if (MT_SANITIZE)
   list(APPEND MT_LEFT_OUT_BY_SANITIZERS
     Assembler.AMillionWedgesOfOnePointAreFoundOneByOne
+    BackgroundBuild.EndsAtAnyTimeAndLeavesNothing
     Builder.CertifiedErrorHoldsAndIsTight
     Builder.CutOfClosedMeshHasNoBorder
     Builder.EveryModelIsValidInEveryCut
@@ -66,6 +67,8 @@ if (MT_SANITIZE)
     Sizes/MapperUnderScale*
     States/AgainstPolyDataMapper*
     Verifier.AMeshOfAnotherShapeIsFoundByTheCheckForIt
+    View.APreviewOfAMeshIsSeenBeforeItsModel
+    View.ControlCEndsABuildAndLeavesNothing
     */PartitionStrategy.NoRegionExceedsFourTimesTheTarget*)
   list(JOIN MT_LEFT_OUT_BY_SANITIZERS ":" MT_LEFT_OUT_BY_SANITIZERS)
   set(MT_LEFT_OUT_BY_SANITIZERS TEST_FILTER "-${MT_LEFT_OUT_BY_SANITIZERS}")

@@ -21,7 +21,6 @@ std::vector<std::vector<std::string>> CallsThatRead(const std::string& file, con
     { "extract", file, "-o", output + ".ply", "--level", "0" },
     { "compare", file, file },
     { "render", file, "-o", output + ".png" },
-    { "view", file },
   };
 }
 

@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("Module", "Filters", "IO", "Rendering")
+FOLDERS = ("Module", "Filters", "IO", "Rendering", "Interaction")
 SET = re.compile(r"\bset\((\w+)\s+([^)]*)\)")
 ADD = re.compile(r"\bvtk_module_add_module\(([^)]*)\)")
 

@@ -49,6 +49,7 @@ LAYERS = {
          "Filters/Simplification", "Filters/Construction"),
         RENDERING,
     ),
+    "Interaction/Viewer": ("MTInteraction", ("IO/Core", "Rendering/OpenGL2", "Filters/General"), f"{OPENGL}|{MESH_FILES}"),
 }
 # Layer 4 meets everything; only the rules about CGAL, OpenGL and JSON hold there.
 TOP = ("Applications", "Examples", "ParaView", "Testing")
