@@ -171,7 +171,7 @@ std::string vtkMTInteractorStyle::TakeScreenshot()
   vtkRenderer* renderer = this->GetRenderer();
   vtkRenderWindow* window = renderer ? renderer->GetRenderWindow() : nullptr;
   std::string error = "there is no window";
-  const std::string path = window ? vtkMTScreenshot::WriteNext(window, this->ScreenshotPrefix, error) : "";
+  std::string path = window ? vtkMTScreenshot::WriteNext(window, this->ScreenshotPrefix, error) : "";
   this->Message = path.empty() ? error : "picture in " + path;
   return path;
 }

@@ -49,7 +49,7 @@ std::string vtkMTScreenshot::ReserveNext(const std::string& prefix, const std::s
   {
     char digits[32];
     std::snprintf(digits, sizeof(digits), "-%04lu", ++number);
-    const std::string name = prefix + digits + ending;
+    std::string name = prefix + digits + ending;
     if (std::FILE* file = std::fopen(name.c_str(), "wx")) // fails where there is one
     {
       std::fclose(file);
@@ -91,7 +91,7 @@ bool vtkMTScreenshot::Write(vtkRenderWindow* window, const std::string& path, st
 //------------------------------------------------------------------------------
 std::string vtkMTScreenshot::WriteNext(vtkRenderWindow* window, const std::string& prefix, std::string& error)
 {
-  const std::string path = ReserveNext(prefix, ".png", error);
+  std::string path = ReserveNext(prefix, ".png", error);
   if (!path.empty() && !Write(window, path, error))
   {
     std::remove(path.c_str());
