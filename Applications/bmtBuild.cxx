@@ -216,14 +216,16 @@ CLI::Option* AddSetting(
 
 void AddSettings(CLI::App& command, Builder* builder)
 {
-  AddSetting(
-    command, "--patch-triangles", builder, &Builder::SetPatchTriangles, "Wanted mean number of triangles in a patch")
+  AddSetting(command, "--patch-triangles", builder, &Builder::SetPatchTriangles, "Wanted mean triangles of a patch")
     ->check(CLI::Range(16, 16384))
     ->default_str("1000");
-  AddSetting(
-    command, "--lattice-bits", builder, &Builder::SetLatticeBits, "The longest side has at most 2^N lattice steps")
+  AddSetting(command, "--lattice-bits", builder, &Builder::SetLatticeBits, "2^N lattice steps on the longest side")
     ->check(CLI::Range(10, 31))
     ->default_str("24");
+  AddSetting(command, "--direct-levels", builder, &Builder::SetDirectLevels,
+    "Errors are held against the mesh so many levels below; 1: those of steps add up, faster to make and looser")
+    ->check(CLI::Range(1, 8))
+    ->default_str("5");
   AddSetting(command, "--threads", builder, &Builder::SetNumberOfThreads,
     "Threads; 0: as many as there are processors. No influence on the file")
     ->check(CLI::Range(0, 1024))
@@ -258,10 +260,8 @@ void AddSettings(CLI::App& command, Builder* builder)
       name, [=] { (builder->*set)(); }, text);
   };
   flag("--no-ids", &Builder::KeepIdsOff, "Do not keep the input's cell ids, by which picking finds cells");
-  flag("--exact", &Builder::ExactPointsOn,
-    "Keep the input's coordinates bit for bit beside the lattice's: 'bmt extract --level 0' gives them back");
-  flag("--certify-normals", &Builder::CertifyNormalsOn,
-    "Bound the angles of normals too, for 'bmt render --metric normals'; takes a fifth of the time more");
+  flag("--exact", &Builder::ExactPointsOn, "Keep the input's coordinates bit for bit, for 'bmt extract --level 0'");
+  flag("--certify-normals", &Builder::CertifyNormalsOn, "Bound normals too, for 'bmt render --metric normals'");
   flag("--keep-far-outliers", &Builder::KeepFarOutliersOn,
     "Keep triangles so far away that they coarsen the lattice for all others; a few are left out otherwise");
   flag("--no-normals", &Builder::MakeNormalsOff, "Make no normals where the input has none");

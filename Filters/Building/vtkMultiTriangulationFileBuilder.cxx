@@ -264,7 +264,8 @@ bool vtkMultiTriangulationFileBuilder::MakeIdentity(const vtkMTInputFiles& files
        << ", " << this->LatticeBits << " bits, precision " << this->Precision << ", " << compressions[this->Compression]
        << "; " << !builder->GetMakeNormals() << !this->KeepIds << builder->GetKeepFarOutliers()
        << (builder->GetExactPoints() ? " exact" : "") << (builder->GetCertifyNormals() ? " normals" : "") << "; "
-       << builder->GetPartitionStrategy()->GetSettings() << "; " << builder->GetSimplifier()->GetSettings();
+       << builder->GetDirectLevels() << " direct levels; " << builder->GetPartitionStrategy()->GetSettings() << "; "
+       << builder->GetSimplifier()->GetSettings();
   for (std::size_t i = 0; !this->KeepAllArrays && i < this->Implementation->Arrays.size(); ++i)
   {
     text << "; " << this->Implementation->Arrays[i];

@@ -184,6 +184,13 @@ public:
   ///@}
 
   ///@{
+  /// How many levels below a fragment the mesh is that its certified errors are held against; with 1 those of steps add
+  /// up, which is faster and about 1.5 times looser on coarse levels. Default 5; clamped to [1, 8].
+  void SetDirectLevels(int levels);
+  int GetDirectLevels() const;
+  ///@}
+
+  ///@{
   /// Whether angles between shading normals are certified as well as distances, for the mapper's error metric
   /// NORMAL_DEVIATION. Default off: it takes about a fifth of the time.
   void SetCertifyNormals(bool on);

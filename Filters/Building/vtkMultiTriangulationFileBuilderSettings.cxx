@@ -217,6 +217,16 @@ bool vtkMultiTriangulationFileBuilder::GetExactPoints() const
   return this->Implementation->Builder->GetExactPoints();
 }
 
+void vtkMultiTriangulationFileBuilder::SetDirectLevels(int levels)
+{
+  this->Implementation->Builder->SetDirectLevels(levels);
+}
+
+int vtkMultiTriangulationFileBuilder::GetDirectLevels() const
+{
+  return this->Implementation->Builder->GetDirectLevels();
+}
+
 void vtkMultiTriangulationFileBuilder::SetCertifyNormals(bool on)
 {
   this->Implementation->Builder->SetCertifyNormals(on);

@@ -17,11 +17,11 @@ constexpr int MaximumDepth = 4096;
 // One triangle must not use up what the others need for a bound at all. Pieces that are split along triangles get
 // somewhere; where two sheets are closer than the largest distance of all, the bound by either may stay just above it
 // however small the halves are: after so many of them it will do, and a looser one the more there are.
-double GetShare(std::size_t halvings)
+double GetShare(std::size_t halvings, double share)
 {
   constexpr std::size_t Tight = 512;
   constexpr double ToDouble = 1024.0;
-  return halvings < Tight ? vtkMTDeviation::Share
+  return halvings < Tight ? share
                           : vtkMTDeviation::Looseness * (1.0 + static_cast<double>(halvings - Tight) / ToDouble);
 }
 
@@ -32,7 +32,8 @@ std::uint32_t GetTriangle(std::uint32_t halfedge)
 }
 
 vtkMTPieceBound::vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& to, double slack, vtkMTDeviation& result)
-  : Before(from.GetNumberOfTriangles(), 0.0f)
+  : Share(vtkMTDeviation::Share)
+  , Before(from.GetNumberOfTriangles(), 0.0f)
   , After(to.GetNumberOfTriangles(), 0.0f)
   , From(from)
   , To(to)
@@ -60,7 +61,9 @@ Vector vtkMTPieceBound::Piece::GetMiddle() const
 bool vtkMTPieceBound::Split(
   const Piece& piece, const Vector& on, const Vector& normal, double thin, Piece& inside, Piece& outside)
 {
-  inside = Piece{ {}, 0, piece.Depth + 1, piece.Triangle };
+  inside.Count = 0;
+  inside.Depth = piece.Depth + 1;
+  inside.Triangle = piece.Triangle;
   outside = inside;
   std::array<double, Piece::Capacity> side;
   bool anyIn = false;
@@ -162,7 +165,7 @@ double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint
   // Walking down may end in a place that is not the nearest: only the nearest one may raise the lower bound.
   if (guess == None || getTruth(hit) > this->Result.LowerBound)
   {
-    hit = this->Tree.FindNearest(x, guess == None ? None : hit.Triangle);
+    hit = this->Search ? this->Search(x, hit) : this->Tree.FindNearest(x, guess == None ? None : hit.Triangle);
     if (!this->Tree.IsExhausted())
     {
       this->Result.LowerBound = std::max(this->Result.LowerBound, getTruth(hit));
@@ -174,8 +177,8 @@ double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint
 
 bool vtkMTPieceBound::IsNearEnough(double bound, double trueHere) const
 {
-  return bound <= std::max({ GetShare(this->Halvings) * this->Result.LowerBound, vtkMTDeviation::Looseness * trueHere,
-                    2.0 * this->Slack });
+  return bound <= std::max({ GetShare(this->Halvings, this->Share) * this->Result.LowerBound,
+                    vtkMTDeviation::Looseness * trueHere, 2.0 * this->Slack });
 }
 
 void vtkMTPieceBound::Credit(std::uint32_t from, std::uint32_t to, double bound)
@@ -278,7 +281,8 @@ void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
   this->Halvings = 0;
   while (!this->Stack.empty())
   {
-    const Entry entry = this->Stack.back();
+    Entry& entry = this->Current;
+    entry = this->Stack.back();
     this->Stack.pop_back();
     if (budget == 0 || entry.Shape.Depth >= MaximumDepth)
     {
@@ -293,23 +297,52 @@ void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
   this->Halvings = 0;
 }
 
-void vtkMTPieceBound::BoundPiece(Entry entry)
+bool vtkMTPieceBound::IsLeftOut(const Piece& piece) const
+{
+  if (!this->IsElsewhere)
+  {
+    return false;
+  }
+  const Vector middle = piece.GetMiddle();
+  double radius2 = 0.0;
+  for (int i = 0; i < piece.Count; ++i)
+  {
+    const Vector way = Subtract(piece.Corners[i], middle);
+    radius2 = std::max(radius2, Dot(way, way));
+  }
+  return this->IsElsewhere(middle, std::sqrt(radius2));
+}
+
+// What is known by the middle of a piece; nothing where it does not count.
+double vtkMTPieceBound::VisitMiddle(Entry& entry)
+{
+  const Vector middle = entry.Shape.GetMiddle();
+  const double lowerBound = this->Result.LowerBound;
+  const double trueHere = this->Visit(middle, entry.Shape.Triangle, entry.Guess);
+  entry.IsNearest = true;
+  if (trueHere > lowerBound && this->IsElsewhere && this->IsElsewhere(middle, 0.0))
+  {
+    this->Result.LowerBound = lowerBound;
+    return 0.0;
+  }
+  return trueHere;
+}
+
+void vtkMTPieceBound::BoundPiece(Entry& entry)
 {
   double trueHere = 0.0;
   if (entry.Guess == vtkMTTriangleTree::None)
   {
-    trueHere = this->Visit(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
-    entry.IsNearest = true;
+    trueHere = this->VisitMiddle(entry);
   }
   this->Improve(entry, entry.Guess);
-  if (this->Accept(entry, trueHere) || this->CutAlong(entry))
+  if (this->Accept(entry, trueHere) || this->IsLeftOut(entry.Shape) || this->CutAlong(entry))
   {
     return;
   }
   if (!entry.IsNearest)
   {
-    trueHere = this->Visit(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
-    entry.IsNearest = true;
+    trueHere = this->VisitMiddle(entry);
     this->Improve(entry, entry.Guess);
     if (this->Accept(entry, trueHere) || this->CutAlong(entry))
     {
@@ -339,7 +372,8 @@ bool vtkMTPieceBound::CutAlong(const Entry& entry)
     Piece outside;
     if (Split(rest, a, inward, this->Slack, inside, outside))
     {
-      this->Stack.push_back({ outside, entry.Best, GetTriangle(this->To.GetOpposite(3 * entry.Guess + e)), false });
+      this->Push(
+        outside, entry.Best, GetTriangle(this->To.GetOpposite(3 * entry.Guess + static_cast<std::uint32_t>(e))));
       rest = inside;
     }
     else if (inside.Count == 0)
@@ -352,14 +386,24 @@ bool vtkMTPieceBound::CutAlong(const Entry& entry)
   {
     return false; // all of it is
   }
-  this->Stack.push_back({ rest, entry.Best, entry.Guess, false });
+  this->Push(rest, entry.Best, entry.Guess);
   return true;
+}
+
+void vtkMTPieceBound::Push(const Piece& shape, const Match& best, std::uint32_t guess)
+{
+  this->Stack.emplace_back();
+  Entry& entry = this->Stack.back();
+  entry.Shape = shape;
+  entry.Best = best;
+  entry.Guess = guess;
+  entry.IsNearest = false;
 }
 
 void vtkMTPieceBound::CutInHalves(const Entry& entry)
 {
   double trueHere = 0.0;
-  for (int i = 0; i < entry.Shape.Count; ++i)
+  for (int i = 0; i < entry.Shape.Count && !this->IsElsewhere; ++i)
   {
     std::uint32_t guess = entry.Guess;
     trueHere = std::max(trueHere, this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, guess));
@@ -373,8 +417,8 @@ void vtkMTPieceBound::CutInHalves(const Entry& entry)
   }
   if (Halve(entry.Shape, this->Slack, one, other))
   {
-    this->Stack.push_back({ one, entry.Best, entry.Guess, false });
-    this->Stack.push_back({ other, entry.Best, entry.Guess, false });
+    this->Push(one, entry.Best, entry.Guess);
+    this->Push(other, entry.Best, entry.Guess);
     return;
   }
   this->CreditPiece(entry); // too small to be split

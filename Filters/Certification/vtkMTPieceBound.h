@@ -22,8 +22,10 @@
 #include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -37,6 +39,14 @@ public:
 
   /// Distances above zero are raised by slack, in steps. The bounds go to result as well.
   vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& to, double slack, vtkMTDeviation& result);
+
+  /// A bound that is no more than so many times the lower bound need not be improved.
+  double Share;
+  /// Whether a ball holds nothing of what is to be bounded: pieces within it are left out. Null: everything is.
+  std::function<bool(const Vector& middle, double radius)> IsElsewhere;
+  /// Finds the triangle nearest to a place, at most so far away as a guess is, in place of a tree over all. Null: the
+  /// tree does.
+  std::function<vtkMTSurface::Hit(const Vector& x, const vtkMTSurface::Hit& guess)> Search;
 
   std::vector<float> Before; ///< [from's triangles]
   std::vector<float> After;  ///< [to's triangles]
@@ -62,6 +72,12 @@ public:
   };
   /// Of all pieces; what follows upon itself is there once.
   const std::vector<Credited>& GetCredited() const { return this->PiecesCredited; }
+  /// Forgets what was found of a triangle since there were so many of them.
+  void Forget(std::uint32_t triangle, std::size_t credited)
+  {
+    this->PiecesCredited.resize(credited);
+    this->BoundOfTriangle[triangle] = 0.0;
+  }
   /// Bounds and credits a triangle by pieces; guesses are triangles (or None) to begin with.
   void Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget);
 
@@ -80,6 +96,20 @@ private:
     int Count = 0;
     int Depth = 0;
     std::uint32_t Triangle = 0;
+
+    ///@{
+    /// Copies have the corners that there are.
+    Piece() = default;
+    Piece(const Piece& other) { *this = other; }
+    Piece& operator=(const Piece& other)
+    {
+      this->Count = other.Count;
+      this->Depth = other.Depth;
+      this->Triangle = other.Triangle;
+      std::copy_n(other.Corners.begin(), other.Count, this->Corners.begin());
+      return *this;
+    }
+    ///@}
 
     void Append(const Vector& x) { this->Corners[this->Count++] = x; }
     Vector GetMiddle() const;
@@ -105,10 +135,13 @@ private:
   bool IsCoplanar(std::uint32_t t, std::uint32_t s) const;
   void Improve(Entry& entry, std::uint32_t s) const;
   bool Accept(const Entry& entry, double trueHere);
+  bool IsLeftOut(const Piece& piece) const;
+  double VisitMiddle(Entry& entry);
   void CreditPiece(const Entry& entry);
   void BoundPieces(const Entry& whole, std::size_t& budget);
-  void BoundPiece(Entry entry);
+  void BoundPiece(Entry& entry);
   bool CutAlong(const Entry& entry);
+  void Push(const Piece& shape, const Match& best, std::uint32_t guess);
   void CutInHalves(const Entry& entry);
 
   const vtkMTSurface& From;
@@ -120,6 +153,7 @@ private:
   std::vector<double> BoundOnTriangle;
   std::vector<Credited> PiecesCredited;
   std::vector<Entry> Stack;
+  Entry Current;            // the piece that is looked at
   std::size_t Halvings = 0; // of pieces of the triangle that is bounded
 };
 

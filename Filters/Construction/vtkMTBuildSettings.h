@@ -28,6 +28,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
   bool CertifyNormals = false;
+  int DirectLevels = 5; ///< how far below a fragment the mesh is that its errors are held against; below 2: none
   std::vector<std::string> LabelArrays; ///< names of arrays that are labels, whatever their type
   std::vector<std::string> ValueArrays; ///< and of those that are values
   double Reduction = 2.0;               ///< of a level: the strategy's (vtkMTPartitionStrategy::GetReduction), above 1
@@ -50,6 +51,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
 
   /// The wanted mean number of triangles in a region of Psi_i on M_i.
   double GetRegionTarget() const { return PatchesPerRegion * static_cast<double>(this->PatchTriangles); }
+  /// Whether meshes below are held against. Angles are certified together with the distances that the steps add up to.
+  bool KeepsFinerLevels() const { return this->DirectLevels > 1 && !this->CertifyNormals; }
   /// And of Psi_(i+1) on M_i: of a floor.
   double GetFloorTarget() const { return this->Reduction * this->GetRegionTarget(); }
 };

@@ -3,6 +3,7 @@
 
 #include "vtkMTArrayInfo.h"
 #include "vtkMTBuildSettings.h"
+#include "vtkMTDirectDeviation.h"
 #include "vtkMTTriangleStream.h"
 
 namespace
@@ -17,6 +18,7 @@ constexpr double CopiesOfBlock = 4.0;
 constexpr double CopiesAhead = 4.0; // more of them, where other threads are at work as well
 // Simplifying a region, and splitting a fragment: bytes per triangle, and copies of its values.
 constexpr double PerFloorTriangle = 900.0;
+constexpr double PerFinerTriangle = 350.0; // of what a fragment is held against
 constexpr double CopiesOfFloor = 5.0;
 constexpr double PerSplitTriangle = 300.0;
 constexpr double CopiesOfSplit = 4.0;
@@ -42,7 +44,9 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   const double values = 1.0 * pointValues + cellValues;
   const double ofTriangle = 0.5 * pointValues + cellValues; // there are half as many points
   const double record = PerRecordTriangle + ofTriangle;
-  this->PerByteSimplified = (PerFloorTriangle + CopiesOfFloor * ofTriangle) / record;
+  const double perFloorTriangle =
+    PerFloorTriangle + (settings.KeepsFinerLevels() ? PerFinerTriangle * vtkMTDirectDeviation::MostPerTriangle : 0.0);
+  this->PerByteSimplified = (perFloorTriangle + CopiesOfFloor * ofTriangle) / record;
   this->PerByteSplit = (PerSplitTriangle + CopiesOfSplit * ofTriangle) / record;
   const double patches = 2.2 * triangles / static_cast<double>(settings.PatchTriangles) + 16.0;
   const double copies = CopiesOfBlock + (settings.Threads > 1 ? CopiesAhead : 0.0);
@@ -53,6 +57,7 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   this->Needs.Blocks = 0.5 * Base + blocks;
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
   this->Needs.Sorts = 16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values);
+  const double finer = settings.KeepsFinerLevels() ? 14.0 : 0.0;
   // Fragments, patches and barycentres of the finest level, and the model itself: more than at any time before.
-  this->Needs.Spools = triangles * (68.0 + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB;
+  this->Needs.Spools = triangles * (68.0 + finer + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB;
 }

@@ -5,6 +5,7 @@
 #include "vtkMTAttributeTransfer.h"
 #include "vtkMTCoarsePoints.h"
 #include "vtkMTDeviation.h"
+#include "vtkMTDirectDeviation.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTShadingNormals.h"
 #include "vtkMTSimplifier.h"
@@ -190,8 +191,11 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const C
   }
   const vtkMTStageTimes::Scope certify(vtkMTStageTimes::Certify);
   this->Fragment.Mesh = MakeFragment(simplification, locked, floor);
-  this->Certify(
-    floor, { std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) }, simplification, context);
+  if (!this->Certify(floor, { std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) }, simplification,
+        context, error))
+  {
+    return false;
+  }
   if (this->Fragment.Mesh.Triangles.size() > target)
   {
     this->Blocked = std::move(simplification.Blocked);
@@ -201,8 +205,8 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const C
 
 // Bounds the fragment's deviation, rounds its points, and gives it the floor's attributes, normals among them, whose
 // deviation is bounded by what the distance's bound rests on. Rounding moves points and their normals alike.
-void vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation,
-  vtkMTSimplification& simplification, const Context& context)
+bool vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation,
+  vtkMTSimplification& simplification, const Context& context, std::string& error)
 {
   vtkMTPatch& mesh = this->Fragment.Mesh;
   const vtkMTPoint origin = GetMiddle(floor);
@@ -211,6 +215,12 @@ void vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&
   vtkMTDeviation::Findings findings;
   findings.KeepPairs = context.CertifyNormals;
   this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
+  if (context.LevelsBelow > 1 &&
+    !this->ImproveByFinerLevel(
+      { floorSurface, relation.FloorDeviations }, fragmentSurface, origin, context, findings.Deviations, error))
+  {
+    return false;
+  }
   this->EdgeLength = mesh.GetMeanEdgeLength();
   this->RoundPoints(findings.Deviations);
   simplification.Points = mesh.Points;
@@ -221,6 +231,25 @@ void vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&
     this->CertifyNormals(floor, floorSurface, fragmentSurface, relation, context, findings);
   }
   this->Fragment.Deviations = std::move(findings.Deviations);
+  return true;
+}
+
+bool vtkMTRegionStep::ImproveByFinerLevel(const vtkMTDirectDeviation::Mesh& floor, const vtkMTSurface& fragment,
+  const vtkMTPoint& origin, const Context& context, std::vector<vtkMTTriangleDeviation>& deviations, std::string& error)
+{
+  const auto collect = [&](const vtkMTDirectDeviation::Neighbourhood& near, std::size_t levelsBelow,
+                         vtkMTDirectDeviation::FinerPart& part, std::string& why)
+  { return context.CollectFiner(near, levelsBelow, origin, part, why); };
+  if (!vtkMTDirectDeviation::Improve(floor, fragment, origin, context.LevelsBelow, collect, deviations, error))
+  {
+    return false;
+  }
+  this->Error = 0.0;
+  for (const vtkMTTriangleDeviation& deviation : deviations)
+  {
+    this->Error = std::max({ this->Error, double(deviation.ToInput), double(deviation.FromInput) });
+  }
+  return true;
 }
 
 void vtkMTRegionStep::CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface,

@@ -12,15 +12,18 @@
 
 #include "vtkMTCertifiedMesh.h"
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTDirectDeviation.h"
 #include "vtkMTNormalDeviation.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkMTSimplifier;
+class vtkMTSurface;
 struct vtkMTSimplification;
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
@@ -42,6 +45,12 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
     std::uint32_t FloorLevel;
     double Reduction;            ///< triangles of the floor over those of the fragment
     bool CertifyNormals = false; ///< or else there is no NormalDeviation
+    /// Of the mesh that the sums of steps are held against (vtkMTDirectDeviation); below 2: they stand.
+    std::uint32_t LevelsBelow = 0;
+    /// Gives it near some triangles, relative to the origin that it is told.
+    std::function<bool(const vtkMTDirectDeviation::Neighbourhood& near, std::size_t levelsBelow,
+      const vtkMTPoint& origin, vtkMTDirectDeviation::FinerPart& part, std::string& error)>
+      CollectFiner;
   };
 
   /// False on failure, with a message in error. floorPatches are consumed.
@@ -50,8 +59,11 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 private:
   static vtkMTCertifiedMesh Assemble(
     std::vector<vtkMTCertifiedMesh>& patches, const std::vector<vtkMTArrayInfo>& arrays, std::string& error);
-  void Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation, vtkMTSimplification& simplification,
-    const Context& context);
+  bool Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation, vtkMTSimplification& simplification,
+    const Context& context, std::string& error);
+  bool ImproveByFinerLevel(const vtkMTDirectDeviation::Mesh& floor, const vtkMTSurface& fragment,
+    const vtkMTPoint& origin, const Context& context, std::vector<vtkMTTriangleDeviation>& deviations,
+    std::string& error);
   void CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface, const vtkMTSurface& fragmentSurface,
     const vtkMTDeviation::Relation& relation, const Context& context, vtkMTDeviation::Findings& findings);
   void RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations);

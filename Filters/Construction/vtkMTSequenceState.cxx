@@ -27,6 +27,9 @@ void vtkMTSequenceState::Save(std::vector<unsigned char>& bytes) const
     this->Fragments.Save(records);
   }
   writer.PutList(records);
+  std::vector<unsigned char> finer;
+  this->Finer.Save(finer);
+  writer.PutList(finer);
 }
 
 bool vtkMTSequenceState::Load(vtkMTSpoolStore& store, const std::vector<unsigned char>& bytes, std::string& error)
@@ -43,9 +46,15 @@ bool vtkMTSequenceState::Load(vtkMTSpoolStore& store, const std::vector<unsigned
   this->DihedralAngles = reader.TakeText();
   std::vector<unsigned char> records;
   reader.TakeList(records);
+  std::vector<unsigned char> finer;
+  reader.TakeList(finer);
   if (!reader.IsSound() || !reader.IsAtEnd() || this->LevelElements.empty())
   {
     error = "the checkpoint does not hold what was kept";
+    return false;
+  }
+  if (!this->Finer.Open(store, *this, finer, error))
+  {
     return false;
   }
   if (this->Stage == HasPatches)

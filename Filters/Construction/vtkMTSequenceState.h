@@ -14,6 +14,7 @@
 #include "vtkMTBarycentreSpool.h"
 #include "vtkMTBuildState.h"
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTFinerLevels.h"
 #include "vtkMTRecordSpool.h"
 #include "vtkMTRegionSpool.h"
 
@@ -48,6 +49,7 @@ public:
   vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
   vtkMTBarycentreSpool Barycentres; ///< of M_Level, in the order of the fragments
   vtkMTRegionSpool Patches;         ///< by region of Psi_(Level + 1), with its locks
+  vtkMTFinerLevels Finer;           ///< the last levels that were split
 
   ///@{
   /// Names of the spools of a level.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTSimplifyStep.h"
 
+#include <algorithm>
+
 bool vtkMTSimplifyStep::Run()
 {
   vtkMTSequenceState& state = this->State;
@@ -39,6 +41,7 @@ bool vtkMTSimplifyStep::Run()
   }
   state.LevelElements.push_back(left);
   state.Patches.Remove();
+  state.Finer.Keep(static_cast<std::size_t>(std::max(0, this->Options.DirectLevels - 1)));
   state.Level = next;
   state.Stage = vtkMTSequenceState::HasFragments;
   return true;
@@ -56,8 +59,18 @@ bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::
   {
     return true; // a region that lost all its triangles to its neighbours
   }
-  const vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->State.Graph.Arrays, &records.Locks,
+  vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->State.Graph.Arrays, &records.Locks,
     this->State.Level, this->Options.Reduction, this->Options.CertifyNormals };
+  if (this->Options.KeepsFinerLevels())
+  {
+    context.LevelsBelow = std::min(this->State.Level + 1, static_cast<std::uint32_t>(this->Options.DirectLevels));
+    context.CollectFiner = [this, region](const vtkMTDirectDeviation::Neighbourhood& near, std::size_t levelsBelow,
+                             const vtkMTPoint& origin, vtkMTDirectDeviation::FinerPart& part, std::string& why)
+    {
+      return this->State.Finer.Collect(
+        this->State, { static_cast<std::uint32_t>(region), levelsBelow }, near, origin, part, why);
+    };
+  }
   if (!result.Step.Run(records.Patches, context, error))
   {
     return false;

@@ -46,6 +46,11 @@ bool vtkMTSplitStep::Run()
   {
     return false;
   }
+  if (this->Options.KeepsFinerLevels() &&
+    !state.Finer.Begin(*this->Options.Store, state.Level, partition->GetNumberOfRegions(), this->Error))
+  {
+    return false;
+  }
   // Nodes of the next level are numbered when their region is simplified: until then arcs hold the region.
   state.FirstArcOfLevel = state.Arcs.size();
   std::uint64_t triangles = 0;
@@ -70,6 +75,10 @@ bool vtkMTSplitStep::Run()
     });
   const vtkMTStageTimes::Scope sort(this->Options.Times, vtkMTStageTimes::Sort);
   if (!done || !locks.Finish(state.Patches, this->Error) || !state.Patches.Seal(this->Error))
+  {
+    return false;
+  }
+  if (this->Options.KeepsFinerLevels() && !state.Finer.Seal(state, state.FirstArcOfLevel, this->Error))
   {
     return false;
   }
@@ -124,6 +133,11 @@ bool vtkMTSplitStep::SplitFragment(
     {
       const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
       vtkMTRegionSpool::EncodePatch(patch, result.Records.back());
+      result.Finer.emplace_back();
+      if (this->Options.KeepsFinerLevels())
+      {
+        vtkMTFinerLevels::Encode(patch, result.Finer.back());
+      }
     }
     result.Patches.emplace_back();
     if (!this->PreparePatch(std::move(patch.Mesh), result.Patches.back(), error))
@@ -140,7 +154,8 @@ bool vtkMTSplitStep::PutPatches(std::uint32_t toNode, Result& result, std::strin
   {
     const std::uint32_t region = result.Regions[i];
     if (!this->WritePatch(std::move(result.Patches[i]), region, toNode, error) ||
-      !this->State.Patches.PutPatch(region, result.Records[i], error))
+      !this->State.Patches.PutPatch(region, result.Records[i], error) ||
+      (this->Options.KeepsFinerLevels() && !this->State.Finer.Put(region, result.Finer[i], error)))
     {
       return false;
     }

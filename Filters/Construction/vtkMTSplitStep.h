@@ -34,6 +34,7 @@ private:
     std::vector<std::uint32_t> Regions; // of the patches
     std::vector<PatchToWrite> Patches;
     std::vector<Bytes> Records;
+    std::vector<Bytes> Finer; // the same for vtkMTFinerLevels
   };
 
   std::unique_ptr<vtkMTPartition> MakePartition();

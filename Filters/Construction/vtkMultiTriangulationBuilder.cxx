@@ -233,6 +233,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.ExactPoints = this->ExactPoints;
   settings.CertifyNormals = this->CertifyNormals;
+  settings.DirectLevels = this->DirectLevels;
   settings.LabelArrays = this->LabelArrays;
   settings.ValueArrays = this->ValueArrays;
   settings.Partition = this->PartitionStrategy;
@@ -328,8 +329,8 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
     " bits, normals " + (this->MakeNormals ? "made, feature angle " + std::to_string(this->FeatureAngle) : "not made") +
     (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") +
-    (this->CertifyNormals ? ", normals certified" : "") + "; " + this->PartitionStrategy->GetSettings() + "; " +
-    this->Simplifier->GetSettings();
+    (this->CertifyNormals ? ", normals certified" : "") + ", " + std::to_string(this->DirectLevels) +
+    " direct levels; " + this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
 }
 
 int vtkMultiTriangulationBuilder::FillOutputPortInformation(int, vtkInformation* info)
@@ -398,6 +399,7 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HasCheckpoint: " << (this->HasCheckpoint ? "yes" : "no") << "\n";
   os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
   os << indent << "ExactPoints: " << (this->ExactPoints ? "on" : "off") << "\n";
+  os << indent << "DirectLevels: " << this->DirectLevels << "\n";
   os << indent << "CertifyNormals: " << (this->CertifyNormals ? "on" : "off") << "\n";
   for (const std::string& name : this->LabelArrays)
   {

@@ -105,6 +105,7 @@ _SETTINGS = {
     "ids": _set("SetKeepIds"),
     "exact": _set("SetExactPoints"),
     "certify_normals": _set("SetCertifyNormals"),
+    "direct_levels": _set("SetDirectLevels"),
     "keep_far_outliers": _set("SetKeepFarOutliers"),
     "normals": _set("SetMakeNormals"),
     "resume": _set("SetResume"),
@@ -113,7 +114,7 @@ _SETTINGS = {
 # Those that mean something for a mesh that is in memory.
 _OF_MESHES = {
     "partition", "simplifier", "memory", "patch_triangles", "lattice_bits", "threads", "feature_angle", "labels", "values",
-    "exact", "certify_normals", "keep_far_outliers", "normals",
+    "exact", "certify_normals", "direct_levels", "keep_far_outliers", "normals",
 }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTPatchRecord
- * @brief a patch as bytes, for the spools of the construction
+ * @brief a patch as bytes, for the spools of a builder
  *
  * Plain and fast: lists one behind the other. Columns of zeros take no room. Never
  * part of a file: patches are encoded for that by the sink.
@@ -9,7 +9,7 @@
 #ifndef vtkMTPatchRecord_h
 #define vtkMTPatchRecord_h
 
-#include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTFiltersCoreModule.h" // For export macro
 #include "vtkMTPatch.h"
 
 #include <string>
@@ -21,7 +21,7 @@ class Reader;
 class Writer;
 }
 
-struct VTKMTCONSTRUCTION_EXPORT vtkMTPatchRecord
+struct VTKMTFILTERSCORE_EXPORT vtkMTPatchRecord
 {
   ///@{
   /// As a part of a record. Take gives false when the bytes are not those of a patch.

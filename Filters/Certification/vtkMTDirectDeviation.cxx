@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTDirectDeviation.h"
+
+#include "vtkMTPieceBound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <unordered_map>
+
+namespace
+{
+constexpr std::uint32_t None = vtkMTSurface::None;
+constexpr std::size_t Probes = 16; // triangles by which the largest true deviation is found
+using Ball = vtkMTBallGrid::Ball;
+using Deviations = vtkMTDirectDeviation::Deviations;
+using Range = vtkMTDirectDeviation::Range;
+using Vector = vtkMTSurface::Vector;
+
+float RoundUp(double value)
+{
+  const float rounded = static_cast<float>(value);
+  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
+}
+
+double GetLarger(const vtkMTTriangleDeviation& deviation)
+{
+  return std::max(deviation.ToInput, deviation.FromInput);
+}
+
+Ball GetBall(const vtkMTSurface& surface, std::uint32_t t, double wider)
+{
+  return vtkMTDirectDeviation::GetBall(
+    surface.GetCorner(t, 0), surface.GetCorner(t, 1), surface.GetCorner(t, 2), wider);
+}
+
+std::vector<Ball> GetBalls(const vtkMTDirectDeviation::Mesh& mesh, double wider)
+{
+  std::vector<Ball> balls(mesh.Surface.GetNumberOfTriangles());
+  for (std::uint32_t t = 0; t < balls.size(); ++t)
+  {
+    balls[t] = GetBall(mesh.Surface, t, mesh.Known[t].FromInput + wider);
+  }
+  return balls;
+}
+
+// Of a triangle.
+struct Box
+{
+  Vector Low;
+  Vector High;
+
+  Box(const vtkMTSurface& surface, std::uint32_t t)
+    : Low(surface.GetCorner(t, 0))
+    , High(this->Low)
+  {
+    for (int c = 1; c < 3; ++c)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Low[i] = std::min(this->Low[i], surface.GetCorner(t, c)[i]);
+        this->High[i] = std::max(this->High[i], surface.GetCorner(t, c)[i]);
+      }
+    }
+  }
+
+  double GetDistance2(const Vector& x) const
+  {
+    double distance2 = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double away = std::max({ this->Low[i] - x[i], x[i] - this->High[i], 0.0 });
+      distance2 += away * away;
+    }
+    return distance2;
+  }
+};
+
+// Triangles of a range of which more than limit is known, most first.
+std::vector<std::uint32_t> SortAbove(
+  const Deviations& deviations, const Range& range, float vtkMTTriangleDeviation::*direction, double limit)
+{
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t t = range.First; t < range.End; ++t)
+  {
+    if (deviations[t].*direction > limit)
+    {
+      order.push_back(t);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return deviations[a].*direction > deviations[b].*direction; });
+  return order;
+}
+
+// What all but so many triangles have at most, and what the largest has.
+double FindLargest(const Deviations& deviations, std::size_t but)
+{
+  std::vector<double> known(deviations.size());
+  std::transform(deviations.begin(), deviations.end(), known.begin(), GetLarger);
+  const auto place = known.begin() + static_cast<std::ptrdiff_t>(std::min(but, known.size() - 1));
+  std::nth_element(known.begin(), place, known.end(), std::greater<>());
+  return *place;
+}
+
+class Improver
+{
+public:
+  using Mesh = vtkMTDirectDeviation::Mesh;
+
+  struct Aim
+  {
+    double Loose;               // times the true deviation is near enough
+    double TrueDeviation = 0.0; // what is known of it
+    double Kept = 0.0;          // what some triangles keep, so that less need not be improved
+  };
+
+  Improver(const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const Aim& aim, Deviations& known)
+    : Floor(floor)
+    , Fragment(fragment)
+    , Finer(finer)
+    , Known(known)
+    , Sought(aim)
+    , Slack(std::ldexp(std::max(fragment.GetExtent(), finer.Surface.GetExtent()), -40))
+    , Up(fragment, finer.Surface, this->Slack, this->UpResult)
+    , Down(finer.Surface, fragment, this->Slack, this->DownResult)
+    , FinerBalls(GetBalls(finer, this->Slack))
+    , Budget(
+        vtkMTDeviation::PiecesPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
+  {
+    this->UpResult.LowerBound = aim.TrueDeviation;
+    this->Up.Share = 1.0; // what is split anyway may as well have a bound that does not decide again
+    this->Down.Share = aim.Loose;
+    for (std::size_t s = 0; s < finer.Known.size(); ++s)
+    {
+      this->Up.After[s] = finer.Known[s].ToInput;
+      this->Down.Before[s] = finer.Known[s].FromInput;
+    }
+    this->Up.Search = [this](const Vector& x, const vtkMTSurface::Hit& guess) { return this->FindNearest(x, guess); };
+  }
+
+  const Aim& GetAim() const { return this->Sought; }
+
+  // Of the triangles that have more than least.
+  void ImproveToInput(const Range& range, double least)
+  {
+    for (const std::uint32_t t :
+      SortAbove(this->Known, range, &vtkMTTriangleDeviation::ToInput, std::max(least, this->GetLimit())))
+    {
+      float& known = this->Known[t].ToInput;
+      if (known <= this->GetLimit())
+      {
+        break;
+      }
+      this->FindCandidates(t);
+      if (!this->Candidates.empty())
+      {
+        this->Up.Bound(t, { None, None, None }, this->Budget);
+        known = std::min(known, RoundUp(this->Up.GetBoundOfTriangle()[t]));
+      }
+    }
+    this->Sought.TrueDeviation = this->UpResult.LowerBound;
+  }
+
+  void ImproveFromInput(const Range& range)
+  {
+    std::vector<unsigned char> isBound(this->Finer.Surface.GetNumberOfTriangles(), 0);
+    std::vector<std::uint32_t> handedOn;
+    std::vector<unsigned char> isHanded(isBound.size(), 0);
+    for (const std::uint32_t t : SortAbove(this->Known, range, &vtkMTTriangleDeviation::FromInput, this->GetLimit()))
+    {
+      const double known = this->Known[t].FromInput;
+      if (known <= std::max(this->GetLimit(), this->Sought.Kept))
+      {
+        break;
+      }
+      this->FindCandidates(t);
+      const double bound = this->BoundCandidates(t, isBound);
+      this->Sought.Kept = std::max(this->Sought.Kept, std::min(bound, known));
+      if (bound < known)
+      {
+        handedOn.push_back(t);
+        for (const std::uint32_t s : this->Candidates)
+        {
+          isHanded[s] = 1;
+        }
+      }
+    }
+    this->HandOn(handedOn, isHanded);
+  }
+
+private:
+  double GetLimit() const { return std::max(this->Sought.Loose * this->UpResult.LowerBound, 2.0 * this->Slack); }
+
+  // The finer triangles that are so near to t.
+  void FindCandidates(std::uint32_t t)
+  {
+    const auto [place, isNew] = this->FoundBefore.try_emplace(t);
+    if (!isNew)
+    {
+      this->Candidates = place->second;
+      return;
+    }
+    const double known = GetLarger(this->Known[t]);
+    this->FinerBalls.Find(GetBall(this->Fragment, t, known), this->Candidates);
+    const auto isFar = [&, box = Box(this->Fragment, t)](std::uint32_t s)
+    {
+      const Ball& ball = this->FinerBalls.GetBall(s);
+      const double reach2 = (known + ball.Radius) * (known + ball.Radius);
+      return box.GetDistance2(ball.Middle) > reach2 || this->Fragment.GetDistance2(ball.Middle, t, reach2) > reach2;
+    };
+    this->Candidates.erase(
+      std::remove_if(this->Candidates.begin(), this->Candidates.end(), isFar), this->Candidates.end());
+    place->second = this->Candidates;
+  }
+
+  // The nearest of the candidates, or the guess.
+  vtkMTSurface::Hit FindNearest(const Vector& x, const vtkMTSurface::Hit& guess) const
+  {
+    vtkMTSurface::Hit nearest = guess;
+    Ball here{ x, std::sqrt(nearest.Distance2) };
+    for (const std::uint32_t s : this->Candidates)
+    {
+      if (vtkMTBallGrid::Touch(here, this->FinerBalls.GetBall(s)) &&
+        this->Finer.Surface.GetDistance2(x, s, nearest.Distance2) < nearest.Distance2)
+      {
+        nearest = this->Finer.Surface.Project(x, s);
+        here.Radius = std::sqrt(nearest.Distance2);
+      }
+    }
+    return nearest;
+  }
+
+  // The largest of the candidates' bounds.
+  double BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound)
+  {
+    double bound = 0.0;
+    for (const std::uint32_t s : this->Candidates)
+    {
+      if (!isBound[s])
+      {
+        isBound[s] = 1;
+        this->BoundCandidate(s, t);
+      }
+      bound = std::max(bound, this->Down.GetBoundOfTriangle()[s]);
+    }
+    return bound;
+  }
+
+  void BoundCandidate(std::uint32_t s, std::uint32_t t)
+  {
+    const std::size_t credited = this->Down.GetCredited().size();
+    const Vector& middle = this->FinerBalls.GetBall(s).Middle;
+    vtkMTSurface::Hit below = this->Fragment.Project(middle, t);
+    this->Fragment.Descend(middle, below);
+    this->BoundAgain(s, below.Triangle);
+    if (this->Down.GetBoundOfTriangle()[s] > this->GetLimit())
+    {
+      this->Down.Forget(s, credited);
+      const double reach = this->Finer.Known[s].FromInput + this->Slack;
+      this->Down.IsElsewhere = [this, reach](const Vector& x, double radius) {
+        return !this->IsNearFloor({ x, reach + radius });
+      };
+      this->BoundAgain(s, below.Triangle);
+      this->Down.IsElsewhere = nullptr;
+    }
+  }
+
+  // What s is truly away says nothing of the fragment, as long as s may be another region's.
+  void BoundAgain(std::uint32_t s, std::uint32_t guess)
+  {
+    this->DownResult.LowerBound = this->UpResult.LowerBound;
+    this->Down.Bound(s, { guess, None, None }, this->Budget);
+  }
+
+  // Whether a ball may hold a point of the input that stands on the floor.
+  bool IsNearFloor(const Ball& ball)
+  {
+    if (!this->FloorBalls)
+    {
+      this->FloorBalls.emplace(GetBalls(this->Floor, 0.0));
+    }
+    this->FloorBalls->Find(ball, this->NearFloor);
+    return std::any_of(this->NearFloor.begin(), this->NearFloor.end(),
+      [&](std::uint32_t f)
+      {
+        const double reach = ball.Radius + this->Floor.Known[f].FromInput;
+        return this->Floor.Surface.GetDistance2(ball.Middle, f, std::numeric_limits<double>::infinity()) <=
+          reach * reach;
+      });
+  }
+
+  // From these triangles of the fragment, whose points are on those of the finer mesh.
+  void HandOn(const std::vector<std::uint32_t>& handedOn, const std::vector<unsigned char>& isHanded)
+  {
+    for (const std::uint32_t t : handedOn)
+    {
+      this->Known[t].FromInput = 0.0f;
+    }
+    for (const vtkMTPieceBound::Credited& piece : this->Down.GetCredited())
+    {
+      if (isHanded[piece.From])
+      {
+        float& known = this->Known[piece.To].FromInput;
+        known = std::max(known, RoundUp(this->Down.Before[piece.From] + piece.Distance));
+      }
+    }
+  }
+
+  const Mesh Floor;
+  const vtkMTSurface& Fragment;
+  const Mesh Finer;
+  Deviations& Known;
+  Aim Sought;
+  const double Slack;
+  vtkMTDeviation UpResult;
+  vtkMTDeviation DownResult;
+  vtkMTPieceBound Up;
+  vtkMTPieceBound Down;
+  const vtkMTBallGrid FinerBalls; // around each triangle and what stands on it
+  std::vector<std::uint32_t> Candidates;
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> FoundBefore;
+  std::optional<vtkMTBallGrid> FloorBalls;
+  std::vector<std::uint32_t> NearFloor;
+  std::size_t Budget;
+};
+}
+
+//------------------------------------------------------------------------------
+vtkMTBallGrid::Ball vtkMTDirectDeviation::GetBall(
+  const vtkMTSurface::Vector& a, const vtkMTSurface::Vector& b, const vtkMTSurface::Vector& c, double wider)
+{
+  Ball ball;
+  double diagonal2 = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto [low, high] = std::minmax({ a[i], b[i], c[i] });
+    ball.Middle[i] = 0.5 * (low + high);
+    diagonal2 += (high - low) * (high - low);
+  }
+  ball.Radius = 0.5 * std::sqrt(diagonal2) + wider;
+  return ball;
+}
+
+//------------------------------------------------------------------------------
+vtkMTDirectDeviation::Neighbourhood::Neighbourhood(const Mesh& fragment, const Range& range, double least)
+  : Fragment(fragment)
+{
+  std::vector<Ball> balls;
+  for (std::uint32_t t = range.First; t < range.End; ++t)
+  {
+    const double known = GetLarger(fragment.Known[t]);
+    if (known > least)
+    {
+      this->Triangles.push_back(t);
+      balls.push_back(::GetBall(fragment.Surface, t, known));
+    }
+  }
+  this->Balls.emplace(std::move(balls));
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
+{
+  this->Balls->Find(ball, this->Found);
+  return std::any_of(this->Found.begin(), this->Found.end(),
+    [&](std::uint32_t i)
+    {
+      const std::uint32_t t = this->Triangles[i];
+      const double reach = ball.Radius + GetLarger(this->Fragment.Known[t]);
+      return this->Fragment.Surface.GetDistance2(ball.Middle, t, std::numeric_limits<double>::infinity()) <=
+        reach * reach;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTDirectDeviation::Improve(const Mesh& floor, const vtkMTSurface& fragment, const vtkMTPoint& origin,
+  std::size_t levelsBelow, const Collect& collect, Deviations& deviations, std::string& error)
+{
+  Improver::Aim aim{ levelsBelow > NearLevels ? LoosenessFarBelow : Looseness };
+  const Range all{ 0, static_cast<std::uint32_t>(deviations.size()) };
+  const auto improve = [&](const Range& range, double least, bool isProbe, FinerPart& part)
+  {
+    const vtkMTSurface surface(part.Mesh, origin);
+    Improver improver(floor, fragment, { surface, part.Known }, aim, deviations);
+    improver.ImproveToInput(range, isProbe ? least : 0.0);
+    if (!isProbe)
+    {
+      improver.ImproveFromInput(range);
+    }
+    aim = improver.GetAim();
+  };
+  // Those of a range that have more than least; in halves where the finer mesh that is near would be too large.
+  std::vector<Range> parts{ all };
+  bool isProbe = true;
+  double least = std::nextafter(FindLargest(deviations, Probes), 0.0); // several may have the same
+  while (!parts.empty())
+  {
+    const Range range = parts.back();
+    parts.pop_back();
+    FinerPart part;
+    part.Most = MostPerTriangle * floor.Surface.GetNumberOfTriangles();
+    if (!collect({ { fragment, deviations }, range, least }, levelsBelow, part, error))
+    {
+      return false;
+    }
+    const bool isTooLarge = part.Mesh.Triangles.size() > part.Most;
+    if (isTooLarge && range.End - range.First > 1)
+    {
+      const std::uint32_t middle = range.First + (range.End - range.First) / 2;
+      parts.push_back({ middle, range.End });
+      parts.push_back({ range.First, middle });
+      continue;
+    }
+    if (!isTooLarge && !part.Mesh.Triangles.empty())
+    {
+      improve(range, least, isProbe, part);
+    }
+    if (isProbe && parts.empty() && aim.TrueDeviation > 0.0 &&
+      aim.Loose * aim.TrueDeviation < FindLargest(deviations, 0))
+    {
+      isProbe = false;
+      parts.push_back(all);
+    }
+    least = isProbe ? least : aim.Loose * aim.TrueDeviation;
+  }
+  return true;
+}
