@@ -351,8 +351,8 @@ TEST(Builder, CertifiedErrorHoldsAndIsTight)
     std::printf("level %u: certified over sampled distance: least %.2f, median %.2f, worst %.2f of %zu nodes\n", level,
       ratios.front(), ratios[ratios.size() / 2], ratios.back(), ratios.size());
     EXPECT_LE(farthest, largestError);
-    // Steps add up, so the ratio grows over the levels.
-    EXPECT_LE(ratios[ratios.size() / 2], level <= 3 ? 3.0 : 6.0);
+    // Patches are small and levels few here: the error of the mesh that is held against counts as well.
+    EXPECT_LE(ratios[ratios.size() / 2], level <= 3 ? 1.7 : 2.1);
     for (const std::uint32_t node : nodes)
     {
       ASSERT_GT(graph.Nodes[node].Error, 0.0);

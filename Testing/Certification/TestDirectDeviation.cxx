@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sums of steps that are too large, held against a finer mesh: what takes their place holds, for every point of both.
+#include "MTTestMeshes.h"
+
+#include "vtkMTBallGrid.h"
+#include "vtkMTDeviation.h"
+#include "vtkMTDirectDeviation.h"
+#include "vtkMTSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+using Ball = vtkMTBallGrid::Ball;
+using Deviations = vtkMTDirectDeviation::Deviations;
+using Random = MTTestMeshes::Random;
+using Vector = vtkMTSurface::Vector;
+const vtkMTPoint Origin{ 0, 0, 0 };
+
+// Cells of side x side steps from (0, 0) on, with the heights that a field of them has there.
+constexpr int Side = 100;
+constexpr int FieldCells = 64;
+struct Field
+{
+  explicit Field(std::uint64_t seed)
+  {
+    Random random(seed);
+    for (std::int32_t& height : this->Heights)
+    {
+      height = static_cast<std::int32_t>(60.0 * (random.Uniform() - 0.5));
+    }
+  }
+  std::int32_t Get(int i, int j) const { return this->Heights[j * (FieldCells + 1) + i]; }
+
+  // Every so many of its points, columns of them from the first to the last one.
+  vtkMTPatch MakeMesh(int step, int lastColumn = FieldCells) const
+  {
+    vtkMTPatch mesh;
+    const int columns = lastColumn / step;
+    const int rows = FieldCells / step;
+    for (int j = 0; j <= rows; ++j)
+    {
+      for (int i = 0; i <= columns; ++i)
+      {
+        mesh.Points.push_back({ Side * step * i, Side * step * j, this->Get(step * i, step * j) });
+      }
+    }
+    for (int j = 0; j < rows; ++j)
+    {
+      for (int i = 0; i < columns; ++i)
+      {
+        const auto a = static_cast<std::uint32_t>(j * (columns + 1) + i);
+        const std::uint32_t c = a + static_cast<std::uint32_t>(columns) + 1;
+        mesh.Triangles.push_back({ a, a + 1, c + 1 });
+        mesh.Triangles.push_back({ a, c + 1, c });
+      }
+    }
+    return mesh;
+  }
+
+  std::array<std::int32_t, (FieldCells + 1) * (FieldCells + 1)> Heights;
+};
+
+Vector GetPlace(const vtkMTSurface& surface, std::uint32_t t, Random& random)
+{
+  const double a = random.Uniform();
+  const double b = (1.0 - a) * random.Uniform();
+  Vector x;
+  for (int i = 0; i < 3; ++i)
+  {
+    x[i] = (1.0 - a - b) * surface.GetCorner(t, 0)[i] + a * surface.GetCorner(t, 1)[i] + b * surface.GetCorner(t, 2)[i];
+  }
+  return x;
+}
+
+// The least of distance and of what is added for each triangle.
+template <class Added>
+double FindLeast(const vtkMTSurface& surface, const Vector& x, const Added& added)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t t = 0; t < surface.GetNumberOfTriangles(); ++t)
+  {
+    const double distance2 = surface.GetDistance2(x, t, std::numeric_limits<double>::infinity());
+    least = std::min(least, std::sqrt(distance2) + added(t));
+  }
+  return least;
+}
+
+double GetLargest(const Deviations& deviations)
+{
+  double largest = 0.0;
+  for (const vtkMTTriangleDeviation& deviation : deviations)
+  {
+    largest = std::max({ largest, double(deviation.ToInput), double(deviation.FromInput) });
+  }
+  return largest;
+}
+
+// The left half of a field, simplified, whose finer mesh is all of the field; what is known of that is given.
+class Half
+{
+public:
+  Half(std::uint64_t seed, float known)
+    : Heights(seed)
+    , FinerMesh(this->Heights.MakeMesh(1))
+    , Finer(this->FinerMesh, Origin)
+    , Floor(this->Heights.MakeMesh(1, FieldCells / 2), Origin)
+    , Fragment(this->Heights.MakeMesh(8, FieldCells / 2), Origin)
+    , OfFiner(this->Finer.GetNumberOfTriangles(), { known, known, 0, 0 })
+    , OfFloor(this->Floor.GetNumberOfTriangles(), { known, known, 0, 0 })
+  {
+    vtkMTDeviation::Findings findings;
+    this->True = vtkMTDeviation::Between(this->Floor, this->Fragment, { {}, this->OfFloor }, findings).LowerBound;
+    this->Known.assign(this->Fragment.GetNumberOfTriangles(), { 0, 0, 0, 0 });
+    for (vtkMTTriangleDeviation& deviation : this->Known)
+    {
+      deviation.ToInput = deviation.FromInput = static_cast<float>(2.5 * this->True);
+    }
+  }
+
+  void Improve(const vtkMTSurface& floor, const Deviations& ofFloor)
+  {
+    const auto collect = [this](const vtkMTDirectDeviation::Neighbourhood& near, std::size_t,
+                           vtkMTDirectDeviation::FinerPart& part, std::string&)
+    {
+      ++this->Parts;
+      part.Mesh.Points = this->FinerMesh.Points;
+      for (std::uint32_t s = 0; s < this->Finer.GetNumberOfTriangles(); ++s)
+      {
+        if (near.Touches(vtkMTDirectDeviation::GetBall(this->Finer.GetCorner(s, 0), this->Finer.GetCorner(s, 1),
+              this->Finer.GetCorner(s, 2), this->OfFiner[s].FromInput)))
+        {
+          part.Mesh.Triangles.push_back(this->FinerMesh.Triangles[s]);
+          part.Known.push_back(this->OfFiner[s]);
+        }
+      }
+      return true;
+    };
+    std::string error;
+    ASSERT_TRUE(
+      vtkMTDirectDeviation::Improve({ floor, ofFloor }, this->Fragment, Origin, 2, collect, this->Known, error))
+      << error;
+  }
+
+  // Of random places: how many are farther than what is known allows.
+  int CountViolations(std::uint64_t seed, int samples)
+  {
+    Random random(seed);
+    int violations = 0;
+    for (int i = 0; i < samples; ++i)
+    {
+      const auto t = static_cast<std::uint32_t>(random.Uniform() * this->Fragment.GetNumberOfTriangles());
+      const double up = FindLeast(
+        this->Finer, GetPlace(this->Fragment, t, random), [this](std::uint32_t s) { return this->OfFiner[s].ToInput; });
+      violations += up > this->Known[t].ToInput ? 1 : 0;
+      const auto f = static_cast<std::uint32_t>(random.Uniform() * this->Floor.GetNumberOfTriangles());
+      const double down = FindLeast(this->Fragment, GetPlace(this->Floor, f, random),
+        [this](std::uint32_t s) { return -this->Known[s].FromInput; });
+      violations += down + this->OfFloor[f].FromInput > 0.0 ? 1 : 0;
+    }
+    return violations;
+  }
+
+  Field Heights;
+  vtkMTPatch FinerMesh;
+  vtkMTSurface Finer;
+  vtkMTSurface Floor;
+  vtkMTSurface Fragment;
+  Deviations OfFiner;
+  Deviations OfFloor;
+  Deviations Known; // of the fragment
+  double True = 0.0;
+  int Parts = 0;
+};
+}
+
+TEST(DirectDeviation, TakesThePlaceOfLooseSumsAndHoldsForEveryPoint)
+{
+  for (const float known : { 0.0f, 5.0f })
+  {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    {
+      Half half(seed, known);
+      half.Improve(half.Floor, half.OfFloor);
+      const double ratio = GetLargest(half.Known) / half.True;
+      const int violations = half.CountViolations(seed, 1500);
+      std::cout << "known " << known << ", seed " << seed << ": " << half.True << " steps, certified " << ratio
+                << " times that (2.5 before), " << violations << " violations\n";
+      EXPECT_LE(ratio, 1.5) << "the other half, which is farther than that, is left out";
+      EXPECT_EQ(violations, 0);
+    }
+  }
+}
+
+TEST(DirectDeviation, PointsThatStandFarFromTheirTriangleAreHandedOnToNearerOnes)
+{
+  Half half(2, 0.0f);
+  double farthest = 0.0;
+  for (std::uint32_t f = 0; f < half.Floor.GetNumberOfTriangles(); ++f)
+  {
+    const double distance2 =
+      half.Fragment.GetDistance2(half.Floor.GetCorner(f, 0), 0, std::numeric_limits<double>::infinity());
+    farthest = std::max(farthest, std::sqrt(distance2));
+  }
+  half.Known.assign(half.Known.size(), { static_cast<float>(1.2 * half.True), 0.0f, 0, 0 });
+  half.Known[0].FromInput = static_cast<float>(farthest + 2.0 * Side); // all of them stand on the first one
+  half.Improve(half.Floor, half.OfFloor);
+  const double ratio = GetLargest(half.Known) / half.True;
+  std::cout << "from " << farthest / half.True << " to " << ratio << " times the true distance\n";
+  EXPECT_LE(ratio, 1.5);
+  EXPECT_EQ(half.CountViolations(2, 1500), 0);
+}
+
+TEST(DirectDeviation, WorksPartByPartWhereTheFinerMeshIsLarge)
+{
+  Half whole(3, 0.0f);
+  whole.Improve(whole.Floor, whole.OfFloor);
+  Half half(3, 0.0f);
+  const vtkMTSurface coarse(half.Heights.MakeMesh(4, FieldCells / 2), Origin);
+  const Deviations ofCoarse(coarse.GetNumberOfTriangles(), { 0.0f, static_cast<float>(half.True), 0, 0 });
+  half.Improve(coarse, ofCoarse); // of which there are so few that the finer mesh is too large for them
+  std::cout << whole.Parts << " and " << half.Parts << " parts, " << GetLargest(whole.Known) << " and "
+            << GetLargest(half.Known) << " steps\n";
+  EXPECT_GT(half.Parts, whole.Parts);
+  EXPECT_LT(GetLargest(half.Known), 2.4 * half.True);
+  EXPECT_EQ(half.CountViolations(3, 1500), 0);
+}
+
+TEST(DirectDeviation, WithoutAFinerMeshSumsStand)
+{
+  Half half(1, 0.0f);
+  half.FinerMesh.Triangles.clear();
+  half.Finer = vtkMTSurface(half.FinerMesh, Origin);
+  const double before = GetLargest(half.Known);
+  half.Improve(half.Floor, half.OfFloor);
+  EXPECT_EQ(GetLargest(half.Known), before);
+}
+
+TEST(DirectDeviation, AnErrorOfTheFinerMeshIsAnError)
+{
+  Half half(1, 0.0f);
+  std::string error;
+  EXPECT_FALSE(vtkMTDirectDeviation::Improve(
+    { half.Floor, half.OfFloor }, half.Fragment, Origin, 2,
+    [](const auto&, std::size_t, auto&, std::string& why)
+    {
+      why = "the disk is gone";
+      return false;
+    },
+    half.Known, error));
+  EXPECT_EQ(error, "the disk is gone");
+}
+
+TEST(BallGrid, FindsWhatTouchesAndNothingElse)
+{
+  std::size_t touching = 0;
+  for (const std::size_t count : { 0, 1, 7, 500 })
+  {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    {
+      Random random(seed);
+      const bool isFlat = seed % 3 == 0;
+      const auto makeBall = [&]
+      {
+        const double size = random.Uniform() < 0.03 ? 40.0 : 4.0; // a few are large
+        return Ball{ { 100.0 * random.Uniform(), 100.0 * random.Uniform(), isFlat ? 7.0 : 100.0 * random.Uniform() },
+          size * random.Uniform() };
+      };
+      std::vector<Ball> balls(count);
+      std::generate(balls.begin(), balls.end(), makeBall);
+      const vtkMTBallGrid grid(balls);
+      std::vector<std::uint32_t> found;
+      for (int question = 0; question < 50; ++question)
+      {
+        const Ball ball = makeBall();
+        grid.Find(ball, found);
+        std::sort(found.begin(), found.end());
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t i = 0; i < count; ++i)
+        {
+          if (vtkMTBallGrid::Touch(ball, balls[i]))
+          {
+            expected.push_back(i);
+          }
+        }
+        ASSERT_EQ(found, expected) << count << " balls, seed " << seed;
+        touching += expected.size();
+      }
+    }
+  }
+  std::cout << touching << " found\n";
+  EXPECT_GT(touching, 1000u);
+}
