@@ -5,7 +5,10 @@ option(MT_UNITY_BUILD "Compile several sources of a module as one" OFF)
 
 # Sources whose names in unnamed namespaces meet those of others.
 set(mt_single_sources
+  MTCertification:Filters/Certification/vtkMTBallGrid.cxx
+  MTCertification:Filters/Certification/vtkMTDirectDeviation.cxx
   MTCertification:Filters/Certification/vtkMTNormalDeviation.cxx
+  MTConstruction:Filters/Construction/vtkMTFinerLevels.cxx
   MTConstruction:Filters/Construction/vtkMTInputMesh.cxx
   MTConstruction:Filters/Construction/vtkMTPointNormals.cxx
   MTConstruction:Filters/Construction/vtkMTSharedIds.cxx

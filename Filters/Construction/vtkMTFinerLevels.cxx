@@ -220,26 +220,25 @@ bool vtkMTFinerLevels::Seal(const vtkMTBuildState& state, std::uint64_t firstArc
   Level& level = this->Levels.back();
   level.FirstArc = firstArc;
   level.EndArc = state.Arcs.size();
-  ListArcs(state, level);
+  ListArcs(state, true, level);
   return level.Records.Seal(error);
 }
 
 //------------------------------------------------------------------------------
-// The region of the next partition that an arc leaves: as soon as that is simplified, it is a node.
+// The region of the next partition that an arc leaves: as soon as all of its level are simplified, it is a node.
 std::uint32_t vtkMTFinerLevels::GetRegion(
-  const vtkMTBuildState& state, const vtkMTBuildState::ArcRecord& arc, bool isLast)
+  const vtkMTBuildState& state, const vtkMTBuildState::ArcRecord& arc, bool hasRegions)
 {
-  return isLast ? arc.FromNode : state.Nodes[arc.FromNode].Region;
+  return hasRegions ? arc.FromNode : state.Nodes[arc.FromNode].Region;
 }
 
 //------------------------------------------------------------------------------
-void vtkMTFinerLevels::ListArcs(const vtkMTBuildState& state, Level& level)
+void vtkMTFinerLevels::ListArcs(const vtkMTBuildState& state, bool hasRegions, Level& level)
 {
-  const bool isLast = level.EndArc == state.Arcs.size();
   std::vector<std::uint32_t> next(level.Records.GetNumberOfKeys() + 1, 0);
   for (std::uint64_t a = level.FirstArc; a < level.EndArc; ++a)
   {
-    ++next[GetRegion(state, state.Arcs[a], isLast) + 1];
+    ++next[GetRegion(state, state.Arcs[a], hasRegions) + 1];
   }
   for (std::size_t region = 1; region < next.size(); ++region)
   {
@@ -249,7 +248,7 @@ void vtkMTFinerLevels::ListArcs(const vtkMTBuildState& state, Level& level)
   level.Arcs.resize(next.back());
   for (std::uint64_t a = level.FirstArc; a < level.EndArc; ++a)
   {
-    level.Arcs[next[GetRegion(state, state.Arcs[a], isLast)]++] = static_cast<std::uint32_t>(a);
+    level.Arcs[next[GetRegion(state, state.Arcs[a], hasRegions)]++] = static_cast<std::uint32_t>(a);
   }
 }
 
@@ -342,7 +341,7 @@ void vtkMTFinerLevels::Save(Bytes& bytes) const
 
 //------------------------------------------------------------------------------
 bool vtkMTFinerLevels::Open(
-  vtkMTSpoolStore& store, const vtkMTBuildState& state, const Bytes& bytes, std::string& error)
+  vtkMTSpoolStore& store, const vtkMTBuildState& state, bool isLastInRegions, const Bytes& bytes, std::string& error)
 {
   vtkMTBytes::Reader reader(bytes);
   const auto count = reader.Take<std::uint64_t>();
@@ -362,7 +361,7 @@ bool vtkMTFinerLevels::Open(
       error = error.empty() ? "the checkpoint does not hold what was kept" : error;
       return false;
     }
-    ListArcs(state, level);
+    ListArcs(state, isLastInRegions && i + 1 == count, level);
   }
   return reader.IsSound() && reader.IsAtEnd();
 }

@@ -55,7 +55,9 @@ public:
   ///@{
   /// For checkpoints.
   void Save(Bytes& bytes) const;
-  bool Open(vtkMTSpoolStore& store, const vtkMTBuildState& state, const Bytes& bytes, std::string& error);
+  /// isLastInRegions: whether the last level's arcs leave regions still, which are not nodes yet.
+  bool Open(
+    vtkMTSpoolStore& store, const vtkMTBuildState& state, bool isLastInRegions, const Bytes& bytes, std::string& error);
   ///@}
 
 private:
@@ -72,8 +74,8 @@ private:
   static std::string GetName(std::uint32_t level) { return "finer-" + std::to_string(level); }
   std::vector<std::uint32_t> FindRegionsBelow(
     const vtkMTBuildState& state, std::uint32_t region, std::size_t bottom) const;
-  static void ListArcs(const vtkMTBuildState& state, Level& level);
-  static std::uint32_t GetRegion(const vtkMTBuildState& state, const vtkMTBuildState::ArcRecord& arc, bool isLast);
+  static void ListArcs(const vtkMTBuildState& state, bool hasRegions, Level& level);
+  static std::uint32_t GetRegion(const vtkMTBuildState& state, const vtkMTBuildState::ArcRecord& arc, bool hasRegions);
   static bool Append(const Bytes& record, const vtkMTDirectDeviation::Neighbourhood& near, const vtkMTPoint& origin,
     vtkMTDirectDeviation::FinerPart& part, std::string& error);
 

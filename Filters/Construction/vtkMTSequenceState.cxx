@@ -53,7 +53,7 @@ bool vtkMTSequenceState::Load(vtkMTSpoolStore& store, const std::vector<unsigned
     error = "the checkpoint does not hold what was kept";
     return false;
   }
-  if (!this->Finer.Open(store, *this, finer, error))
+  if (!this->Finer.Open(store, *this, this->Stage == HasPatches, finer, error))
   {
     return false;
   }

@@ -115,7 +115,7 @@ public:
   ///@{
   /**
    * How many levels below a fragment the mesh is that its certified errors are held against, where the sums over the
-   * steps in between are loose (vtkMTDirectDeviation). With 1 sums stand: a build then takes three quarters of the
+   * steps in between are loose (vtkMTDirectDeviation). With 1 sums stand: a build then takes 0.7 of the
    * time, and certified errors of coarse levels are about twice the true ones where they are 1.3 to 1.5 times with 5.
    * Errors hold either way. Default 5; clamped to [1, 8]. Has no effect where CertifyNormals is on: angles are
    * certified together with sums of distances.
