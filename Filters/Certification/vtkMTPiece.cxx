@@ -120,7 +120,7 @@ bool vtkMTPiece::Halve(double thin, vtkMTPiece& one, vtkMTPiece& other) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkMTPiece::CutOff(const Chord& chord, vtkMTPiece& part, vtkMTPiece& rest) const
+bool vtkMTPiece::SplitOff(const Chord& chord, vtkMTPiece& part, vtkMTPiece& rest) const
 {
   part = this->MakePart();
   rest = part;

@@ -3,7 +3,7 @@
  * @class vtkMTPiece
  * @brief a convex polygon inside one triangle
  *
- * A cut by a plane or a chord adds at most one corner to either part.
+ * Splitting by a plane or a chord adds at most one corner to either part.
  */
 #ifndef vtkMTPiece_h
 #define vtkMTPiece_h
@@ -22,7 +22,7 @@ public:
 
   std::array<Vector, Capacity> Corners;
   int Count = 0;
-  int Depth = 0; ///< cuts that it comes from
+  int Depth = 0; ///< splits that it comes from
   std::uint32_t Triangle = 0;
 
   ///@{
@@ -53,7 +53,7 @@ public:
   };
   Diagonal GetDiagonal() const;
 
-  /// Cuts by the plane through `on` with normal `normal` into what lies on the normal's side and the rest. False when
+  /// Splits by the plane through `on` with normal `normal` into what lies on the normal's side and the rest. False when
   /// the plane leaves the piece whole, but for slivers thinner than `thin` (then only one of the two has corners), or
   /// when rounding has made it too crooked for two parts with room for their corners.
   bool Split(const Vector& on, const Vector& normal, double thin, vtkMTPiece& inside, vtkMTPiece& outside) const;
@@ -69,8 +69,8 @@ public:
     Vector Before;
     Vector After;
   };
-  /// Cuts off the corners of a chord. False without room for the corners of the rest.
-  bool CutOff(const Chord& chord, vtkMTPiece& part, vtkMTPiece& rest) const;
+  /// Splits off the corners of a chord. False without room for the corners of the rest.
+  bool SplitOff(const Chord& chord, vtkMTPiece& part, vtkMTPiece& rest) const;
 
 private:
   vtkMTPiece MakePart() const;

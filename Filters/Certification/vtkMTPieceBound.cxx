@@ -14,9 +14,9 @@ namespace
 // A long triangle may cross thousands of others, and every one that is split off counts; the budget ends what does not.
 constexpr int MaximumDepth = 4096;
 
-// What is cut off at a corner must be so much of the piece's diagonal; places on its sides are found to so much of
+// What is split off at a corner must be so much of the piece's diagonal; places on its sides are found to so much of
 // them.
-constexpr double LeastCut = 1.0 / 16.0;
+constexpr double LeastPart = 1.0 / 16.0;
 constexpr double LeastStep = 1.0 / 2048.0;
 
 // One triangle must not use up what the others need for a bound at all. Pieces that are split along triangles get
@@ -269,7 +269,7 @@ void vtkMTPieceBound::BoundPiece(Entry& entry)
       return;
     }
   }
-  this->Cut(entry);
+  this->Divide(entry);
 }
 
 // Splits the piece along the edges of the guessed triangle, seen along its normal. What lies outside an edge belongs to
@@ -321,7 +321,7 @@ void vtkMTPieceBound::Push(const Piece& shape, const Match& best, std::uint32_t 
 }
 
 // By what is near its corners, else in halves.
-void vtkMTPieceBound::Cut(Entry& entry)
+void vtkMTPieceBound::Divide(Entry& entry)
 {
   double trueHere = 0.0;
   std::array<double, Piece::Capacity> trueAt;
@@ -341,7 +341,7 @@ void vtkMTPieceBound::Cut(Entry& entry)
     const Piece::Diagonal longest = entry.Shape.GetDiagonal();
     for (const int corner : { longest.From, longest.To })
     {
-      if (this->CutOffWithinReach(entry, corner, nearest[corner], this->GetEnough(trueAt[corner])))
+      if (this->SplitOffWithinReach(entry, corner, nearest[corner], this->GetEnough(trueAt[corner])))
       {
         return;
       }
@@ -359,9 +359,9 @@ void vtkMTPieceBound::Cut(Entry& entry)
   this->CreditPiece(entry); // too small to be split
 }
 
-// Cuts off what is near enough to the triangle nearest to a corner: distances to one triangle are convex, so that is
+// Splits off what is near enough to the triangle nearest to a corner: distances to one triangle are convex, so that is
 // all between corners and places on the sides which are near enough. False where that is little of the piece.
-bool vtkMTPieceBound::CutOffWithinReach(const Entry& entry, int corner, std::uint32_t nearest, double reach)
+bool vtkMTPieceBound::SplitOffWithinReach(const Entry& entry, int corner, std::uint32_t nearest, double reach)
 {
   const Piece& piece = entry.Shape;
   const double distance = reach - this->Before[piece.Triangle] - this->After[nearest] - this->Slack;
@@ -403,7 +403,7 @@ bool vtkMTPieceBound::CutOffWithinReach(const Entry& entry, int corner, std::uin
   const Vector way = Subtract(Lerp(chord.Before, chord.After, 0.5), piece.Corners[corner]);
   Piece part;
   Piece rest;
-  if (Dot(way, way) < LeastCut * LeastCut * piece.GetDiagonal().Length2 || !piece.CutOff(chord, part, rest))
+  if (Dot(way, way) < LeastPart * LeastPart * piece.GetDiagonal().Length2 || !piece.SplitOff(chord, part, rest))
   {
     return false;
   }

@@ -9,7 +9,7 @@
  * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into pieces
  * and these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along
  * that triangle's normal, so that pieces come to lie over one triangle each; else what is near enough to the triangle
- * nearest to one of the corners is cut off, however long or thin it is; else in halves. Pieces are split until their
+ * nearest to one of the corners is split off, however long or thin it is; else in halves. Pieces are split until their
  * bound is within Share of that lower bound (more after many halvings of one triangle) or within Looseness of
  * their own, or the budget of pieces is used up; the result is then still an upper bound. Where a piece lies in the
  * plane of s, which is decided in exact integers, and over s, its distance is exactly zero.
@@ -117,8 +117,8 @@ private:
   void BoundPiece(Entry& entry);
   bool CutAlong(const Entry& entry);
   void Push(const Piece& shape, const Match& best, std::uint32_t guess);
-  void Cut(Entry& entry);
-  bool CutOffWithinReach(const Entry& entry, int corner, std::uint32_t nearest, double reach);
+  void Divide(Entry& entry);
+  bool SplitOffWithinReach(const Entry& entry, int corner, std::uint32_t nearest, double reach);
 
   const vtkMTSurface& From;
   const vtkMTSurface& To;

@@ -365,7 +365,7 @@ TEST(Deviation, LongTrianglesAcrossThousandsAreBoundTightly)
   EXPECT_GE(deviation.LowerBound, 39.0);
 }
 
-// Halves of long and thin triangles get nowhere: what is near enough to one triangle is cut off at once.
+// Halves of long and thin triangles get nowhere: what is near enough to one triangle is split off at once.
 TEST(Deviation, StretchedMeshesAreBoundTightly)
 {
   std::size_t piecesOfFirst = 0;

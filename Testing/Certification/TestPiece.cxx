@@ -35,11 +35,11 @@ vtkMTPiece MakePiece(int corners, double width, double height)
 }
 }
 
-TEST(Piece, PartsOfACutAreTheWhole)
+TEST(Piece, PartsAreTheWhole)
 {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  int cuts = 0;
+  int splits = 0;
   for (int round = 0; round < 20000; ++round)
   {
     const vtkMTPiece whole =
@@ -49,7 +49,7 @@ TEST(Piece, PartsOfACutAreTheWhole)
     const Vector on = Lerp(whole.GetMiddle(), whole.Corners[0], unit(random));
     if (whole.Split(on, { unit(random), unit(random), unit(random) }, 1e-9, one, other))
     {
-      ++cuts;
+      ++splits;
       ASSERT_GE(one.Count, 2);
       ASSERT_GE(other.Count, 2);
       ASSERT_LE(std::max(one.Count, other.Count), vtkMTPiece::Capacity);
@@ -57,8 +57,8 @@ TEST(Piece, PartsOfACutAreTheWhole)
       ASSERT_NEAR(GetArea(one) + GetArea(other), GetArea(whole), 1e-9 * GetArea(whole) + 1e-9);
     }
   }
-  std::printf("%d cuts of 20000\n", cuts);
-  EXPECT_GT(cuts, 5000);
+  std::printf("%d of 20000 split\n", splits);
+  EXPECT_GT(splits, 5000);
 }
 
 TEST(Piece, CornersThatAreNearlyInLineHaveRoom)
@@ -87,7 +87,7 @@ TEST(Piece, CornersThatAreNearlyInLineHaveRoom)
   EXPECT_GT(left, 10000);
 }
 
-TEST(Piece, WhatAChordCutsOffAndTheRestAreTheWhole)
+TEST(Piece, WhatAChordSplitsOffAndTheRestAreTheWhole)
 {
   const vtkMTPiece whole = MakePiece(7, 1000.0, 10.0);
   for (int first = 0; first < whole.Count; ++first)
@@ -97,8 +97,8 @@ TEST(Piece, WhatAChordCutsOffAndTheRestAreTheWhole)
       const auto corner = [&](int i) { return whole.Corners[(i + whole.Count) % whole.Count]; };
       vtkMTPiece part;
       vtkMTPiece rest;
-      ASSERT_TRUE(whole.CutOff({ first, count, Lerp(corner(first), corner(first - 1), 0.25),
-                                 Lerp(corner(first + count - 1), corner(first + count), 0.25) },
+      ASSERT_TRUE(whole.SplitOff({ first, count, Lerp(corner(first), corner(first - 1), 0.25),
+                                   Lerp(corner(first + count - 1), corner(first + count), 0.25) },
         part, rest));
       EXPECT_EQ(part.Count + rest.Count, whole.Count + 4);
       EXPECT_NEAR(GetArea(part) + GetArea(rest), GetArea(whole), 1e-6);
@@ -107,5 +107,5 @@ TEST(Piece, WhatAChordCutsOffAndTheRestAreTheWhole)
   const vtkMTPiece full = MakePiece(vtkMTPiece::Capacity, 1000.0, 10.0);
   vtkMTPiece part;
   vtkMTPiece rest;
-  EXPECT_FALSE(full.CutOff({ 0, 1, full.Corners[15], full.Corners[1] }, part, rest));
+  EXPECT_FALSE(full.SplitOff({ 0, 1, full.Corners[15], full.Corners[1] }, part, rest));
 }
