@@ -117,6 +117,11 @@ struct vtkMTMeasure
   /// The name of the mean of these certified angles over a fragment, each of its triangles with its own one, weighted
   /// by area: it tells nodes apart where the largest angle has long been a straight one.
   static constexpr const char* MeanNormalDeviation = "mean normal deviation";
+  /// The name of that which holds certified deviations of an array's values, in the array's units: every point p of the
+  /// fragment has a point q of the input's within Error of it whose value f differs by |f(p) - f(q)| at most so much,
+  /// and the other way round. Values of points are linear over triangles, those of cells constant. Models that were not
+  /// built with CertifiedValues do not have it.
+  static std::string GetValueDeviationName(const std::string& array) { return "value deviation of " + array; }
 
   std::string Name;
   std::vector<double> Values; ///< one for each node; finite, not negative
