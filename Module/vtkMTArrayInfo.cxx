@@ -256,3 +256,23 @@ std::string vtkMTArrayInfo::ChooseMeanings(
         [](vtkMTArrayInfo& info)
         { info.Resampling = IsDirection(info) ? vtkMTArrayInfo::Direction : vtkMTArrayInfo::Interpolate; });
 }
+
+//------------------------------------------------------------------------------
+std::string vtkMTArrayInfo::FindUncertifiable(
+  const std::vector<std::string>& names, const std::vector<vtkMTArrayInfo>& arrays)
+{
+  for (const std::string& name : names)
+  {
+    const auto array =
+      std::find_if(arrays.begin(), arrays.end(), [&name](const vtkMTArrayInfo& info) { return info.Name == name; });
+    if (array == arrays.end())
+    {
+      return "the input has no array \"" + name + "\"";
+    }
+    if (array->Components != 1)
+    {
+      return "the array \"" + name + "\" has more than one component, so its values cannot be certified";
+    }
+  }
+  return "";
+}

@@ -113,6 +113,10 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   static std::string ChooseMeanings(const std::vector<std::string>& labels, const std::vector<std::string>& values,
     std::vector<vtkMTArrayInfo>& arrays);
 
+  /// Why the values of arrays of these names cannot be certified; empty when they can.
+  static std::string FindUncertifiable(
+    const std::vector<std::string>& names, const std::vector<vtkMTArrayInfo>& arrays);
+
   bool operator==(const vtkMTArrayInfo& other) const;
 };
 

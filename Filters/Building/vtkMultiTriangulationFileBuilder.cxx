@@ -270,6 +270,10 @@ bool vtkMultiTriangulationFileBuilder::MakeIdentity(const vtkMTInputFiles& files
   {
     text << "; " << this->Implementation->Arrays[i];
   }
+  for (const std::string& name : builder->GetCertifiedArrayNames())
+  {
+    text << "; certified " << name;
+  }
   for (const std::string& name : builder->GetLabelArrayNames())
   {
     text << "; labels " << name;
@@ -342,6 +346,12 @@ std::unique_ptr<vtkMTTriangleStream> vtkMultiTriangulationFileBuilder::OpenInput
   if (!missing.empty())
   {
     error.Fail(ArrayError, "the input has no array \"" + missing + "\"");
+    return nullptr;
+  }
+  const std::string uncertifiable = vtkMTArrayInfo::FindUncertifiable(builder->GetCertifiedArrayNames(), kept);
+  if (!uncertifiable.empty())
+  {
+    error.Fail(ArrayError, uncertifiable);
     return nullptr;
   }
   return selected;

@@ -137,6 +137,13 @@ public:
   ///@}
 
   ///@{
+  /// Arrays whose values are certified jointly with the distance; see vtkMultiTriangulationBuilder. A name of which
+  /// there is no array that is kept, or none of one component, is an error (ArrayError). Default: none.
+  void AddCertifiedArrayName(const char* name);
+  void RemoveAllCertifiedArrayNames();
+  ///@}
+
+  ///@{
   /// Which arrays are labels and which are values, in place of what their types and names say; see
   /// vtkMultiTriangulationBuilder. A name of which there is no array, or none that is kept, is an error (ArrayError).
   /// Default: none.

@@ -155,6 +155,16 @@ void vtkMultiTriangulationFileBuilder::RemoveAllArrayNames()
   }
 }
 
+void vtkMultiTriangulationFileBuilder::AddCertifiedArrayName(const char* name)
+{
+  this->Implementation->Builder->AddCertifiedArrayName(name);
+}
+
+void vtkMultiTriangulationFileBuilder::RemoveAllCertifiedArrayNames()
+{
+  this->Implementation->Builder->RemoveAllCertifiedArrayNames();
+}
+
 void vtkMultiTriangulationFileBuilder::AddLabelArrayName(const char* name)
 {
   this->Implementation->Builder->AddLabelArrayName(name);

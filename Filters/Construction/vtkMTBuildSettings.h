@@ -8,9 +8,11 @@
 #ifndef vtkMTBuildSettings_h
 #define vtkMTBuildSettings_h
 
+#include "vtkMTArrayInfo.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTWorkSettings.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,9 +31,10 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   bool ExactPoints = false;
   bool CertifyNormals = false;
   int DirectLevels = 5; ///< how far below a fragment the mesh is that its errors are held against; below 2: none
-  std::vector<std::string> LabelArrays; ///< names of arrays that are labels, whatever their type
-  std::vector<std::string> ValueArrays; ///< and of those that are values
-  double Reduction = 2.0;               ///< of a level: the strategy's (vtkMTPartitionStrategy::GetReduction), above 1
+  std::vector<std::string> LabelArrays;     ///< names of arrays that are labels, whatever their type
+  std::vector<std::string> ValueArrays;     ///< and of those that are values
+  std::vector<std::string> CertifiedArrays; ///< names of arrays whose values are certified
+  double Reduction = 2.0; ///< of a level: the strategy's (vtkMTPartitionStrategy::GetReduction), above 1
   const vtkMTPartitionStrategy* Partition = nullptr;
   const vtkMTSimplifier* Simplifier = nullptr;
   ///@}
@@ -51,8 +54,24 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
 
   /// The wanted mean number of triangles in a region of Psi_i on M_i.
   double GetRegionTarget() const { return PatchesPerRegion * static_cast<double>(this->PatchTriangles); }
-  /// Whether meshes below are held against. Angles are certified together with the distances that the steps add up to.
-  bool KeepsFinerLevels() const { return this->DirectLevels > 1 && !this->CertifyNormals; }
+  /// Whether meshes below are held against. Angles and values are certified together with the distances that the steps
+  /// add up to.
+  bool KeepsFinerLevels() const
+  {
+    return this->DirectLevels > 1 && !this->CertifyNormals && this->CertifiedArrays.empty();
+  }
+  /// Where the certified ones are among the arrays; their number for one that is not there.
+  std::vector<std::size_t> FindCertifiedArrays(const std::vector<vtkMTArrayInfo>& arrays) const
+  {
+    std::vector<std::size_t> found;
+    for (const std::string& name : this->CertifiedArrays)
+    {
+      const auto array =
+        std::find_if(arrays.begin(), arrays.end(), [&name](const vtkMTArrayInfo& info) { return info.Name == name; });
+      found.push_back(static_cast<std::size_t>(array - arrays.begin()));
+    }
+    return found;
+  }
   /// And of Psi_(i+1) on M_i: of a floor.
   double GetFloorTarget() const { return this->Reduction * this->GetRegionTarget(); }
 };

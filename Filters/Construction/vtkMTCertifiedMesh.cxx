@@ -6,6 +6,19 @@
 
 #include <algorithm>
 
+void vtkMTCertifiedMesh::TakeDeviations(const vtkMTCertifiedMesh& whole, const std::vector<std::uint32_t>& triangles)
+{
+  const std::size_t arrays = whole.ValueDeviations.size() / std::max<std::size_t>(1, whole.Deviations.size());
+  this->Deviations.reserve(triangles.size());
+  this->ValueDeviations.reserve(triangles.size() * arrays);
+  for (const std::uint32_t t : triangles)
+  {
+    this->Deviations.push_back(whole.Deviations[t]);
+    const auto first = whole.ValueDeviations.begin() + static_cast<std::ptrdiff_t>(t * arrays);
+    this->ValueDeviations.insert(this->ValueDeviations.end(), first, first + static_cast<std::ptrdiff_t>(arrays));
+  }
+}
+
 void vtkMTCertifiedMesh::Put(vtkMTBytes::Writer& writer) const
 {
   vtkMTPatchRecord::Put(this->Mesh, writer);
@@ -16,6 +29,7 @@ void vtkMTCertifiedMesh::Put(vtkMTBytes::Writer& writer) const
         deviation.NormalFromInput == 0;
     });
   writer.PutList(isZero ? std::vector<vtkMTTriangleDeviation>() : this->Deviations);
+  writer.PutList(this->ValueDeviations);
 }
 
 bool vtkMTCertifiedMesh::Take(vtkMTBytes::Reader& reader)
@@ -25,15 +39,19 @@ bool vtkMTCertifiedMesh::Take(vtkMTBytes::Reader& reader)
     return false;
   }
   reader.TakeList(this->Deviations);
+  reader.TakeList(this->ValueDeviations);
   const bool isZero = this->Deviations.empty();
   this->Deviations.resize(isZero ? this->Mesh.Triangles.size() : this->Deviations.size());
-  return reader.IsSound() && this->Deviations.size() == this->Mesh.Triangles.size();
+  const std::size_t triangles = this->Mesh.Triangles.size();
+  return reader.IsSound() && this->Deviations.size() == triangles &&
+    (this->ValueDeviations.empty() || (triangles > 0 && this->ValueDeviations.size() % triangles == 0));
 }
 
 void vtkMTCertifiedMesh::Encode(std::vector<unsigned char>& bytes) const
 {
   bytes.clear();
-  bytes.reserve(this->Mesh.GetMemorySize() + this->Deviations.size() * sizeof(vtkMTTriangleDeviation) + 256);
+  bytes.reserve(this->Mesh.GetMemorySize() + this->Deviations.size() * sizeof(vtkMTTriangleDeviation) +
+    this->ValueDeviations.size() * sizeof(vtkMTValueDeviation) + 256);
   vtkMTBytes::Writer writer(bytes);
   this->Put(writer);
 }

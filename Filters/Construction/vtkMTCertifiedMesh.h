@@ -12,6 +12,7 @@
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTDeviation.h"
 #include "vtkMTPatch.h"
+#include "vtkMTValueDeviation.h"
 
 #include <cstdint>
 #include <string>
@@ -27,6 +28,11 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTCertifiedMesh
 {
   vtkMTPatch Mesh;
   std::vector<vtkMTTriangleDeviation> Deviations; ///< of the triangles, steps
+  /// Of the values of the arrays that are certified: [triangle * arrays + array]. None: all are zero.
+  std::vector<vtkMTValueDeviation> ValueDeviations;
+
+  /// Those of some triangles of a whole, of which the mesh is made.
+  void TakeDeviations(const vtkMTCertifiedMesh& whole, const std::vector<std::uint32_t>& triangles);
 
   ///@{
   /// As bytes. Take gives false when they are not those of such a mesh; Decode has a message then.

@@ -72,6 +72,7 @@ bool vtkMTFinishStep::FinishGraph()
   }
   PutNames(this->Options.LabelArrays, settings, "labels");
   PutNames(this->Options.ValueArrays, settings, "values");
+  PutNames(this->Options.CertifiedArrays, settings, "certified_values");
   if (this->State.FeatureAngle >= 0.0)
   {
     // What the mesh would choose is there whoever chose, so that the same normals give the same file.

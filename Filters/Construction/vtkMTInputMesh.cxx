@@ -201,6 +201,12 @@ private:
     {
       return this->Fail("the input has no array \"" + missing + "\"");
     }
+    this->State->CertifiedArrays = this->Settings.CertifiedArrays;
+    const std::string uncertifiable = vtkMTArrayInfo::FindUncertifiable(this->Settings.CertifiedArrays, arrays);
+    if (!uncertifiable.empty())
+    {
+      return this->Fail(uncertifiable);
+    }
     this->MakesNormals = this->Settings.MakeNormals && !HasNormals(arrays);
     if (this->Settings.ExactPoints)
     {

@@ -36,7 +36,8 @@ bool vtkMTRegionSpool::Begin(vtkMTSpoolStore& store, const std::string& name, st
 void vtkMTRegionSpool::EncodePatch(const vtkMTCertifiedMesh& patch, Bytes& bytes)
 {
   bytes.clear();
-  bytes.reserve(patch.Mesh.GetMemorySize() + patch.Deviations.size() * sizeof(vtkMTTriangleDeviation) + 256);
+  bytes.reserve(patch.Mesh.GetMemorySize() + patch.Deviations.size() * sizeof(vtkMTTriangleDeviation) +
+    patch.ValueDeviations.size() * sizeof(vtkMTValueDeviation) + 256);
   vtkMTBytes::Writer writer(bytes);
   writer.Put(PatchKind);
   patch.Put(writer);

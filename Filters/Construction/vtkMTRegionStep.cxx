@@ -157,6 +157,8 @@ vtkMTCertifiedMesh vtkMTRegionStep::Assemble(
       return vtkMTCertifiedMesh();
     }
     floor.Deviations.insert(floor.Deviations.end(), patch.Deviations.begin(), patch.Deviations.end());
+    floor.ValueDeviations.insert(
+      floor.ValueDeviations.end(), patch.ValueDeviations.begin(), patch.ValueDeviations.end());
     patch = vtkMTCertifiedMesh();
   }
   floor.Mesh = assembler.TakeMesh();
@@ -191,8 +193,7 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const C
   }
   const vtkMTStageTimes::Scope certify(vtkMTStageTimes::Certify);
   this->Fragment.Mesh = MakeFragment(simplification, locked, floor);
-  if (!this->Certify(floor, { std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) }, simplification,
-        context, error))
+  if (!this->Certify(certifiedFloor, simplification, context, error))
   {
     return false;
   }
@@ -205,15 +206,18 @@ bool vtkMTRegionStep::Run(std::vector<vtkMTCertifiedMesh>& floorPatches, const C
 
 // Bounds the fragment's deviation, rounds its points, and gives it the floor's attributes, normals among them, whose
 // deviation is bounded by what the distance's bound rests on. Rounding moves points and their normals alike.
-bool vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation,
-  vtkMTSimplification& simplification, const Context& context, std::string& error)
+bool vtkMTRegionStep::Certify(
+  vtkMTCertifiedMesh& certifiedFloor, vtkMTSimplification& simplification, const Context& context, std::string& error)
 {
+  const vtkMTPatch& floor = certifiedFloor.Mesh;
   vtkMTPatch& mesh = this->Fragment.Mesh;
+  const vtkMTDeviation::Relation relation{ std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) };
+  const bool certifiesValues = context.CertifiedArrays && !context.CertifiedArrays->empty();
   const vtkMTPoint origin = GetMiddle(floor);
   const vtkMTSurface floorSurface(floor, origin);
   const vtkMTSurface fragmentSurface(mesh, origin);
   vtkMTDeviation::Findings findings;
-  findings.KeepPairs = context.CertifyNormals;
+  findings.KeepPairs = context.CertifyNormals || certifiesValues;
   this->Error = vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings).UpperBound;
   if (context.LevelsBelow > 1 &&
     !this->ImproveByFinerLevel(
@@ -229,6 +233,10 @@ bool vtkMTRegionStep::Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&
   if (context.CertifyNormals)
   {
     this->CertifyNormals(floor, floorSurface, fragmentSurface, relation, context, findings);
+  }
+  if (certifiesValues)
+  {
+    this->CertifyValues(certifiedFloor, floorSurface, fragmentSurface, context, findings.Pairs);
   }
   this->Fragment.Deviations = std::move(findings.Deviations);
   return true;
@@ -261,6 +269,33 @@ void vtkMTRegionStep::CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface
   const std::vector<std::array<float, 3>> normals = shading.Get(this->Fragment.Mesh);
   this->NormalDeviation = vtkMTNormalDeviation::Add({ floorSurface, floorNormals }, { fragmentSurface, normals },
     { relation.FloorDeviations, context.FloorLevel == 0, shading.GetRounding() }, findings);
+}
+
+// Moving a point by rounding moves its value with it: the partners stay the same.
+void vtkMTRegionStep::CertifyValues(const vtkMTCertifiedMesh& floor, const vtkMTSurface& floorSurface,
+  const vtkMTSurface& fragmentSurface, const Context& context, const std::vector<vtkMTDeviation::Pair>& pairs)
+{
+  const std::size_t arrays = context.CertifiedArrays->size();
+  const std::size_t triangles = this->Fragment.Mesh.Triangles.size();
+  this->Fragment.ValueDeviations.resize(triangles * arrays);
+  this->ValueDeviations.assign(arrays, 0.0);
+  for (std::size_t a = 0; a < arrays; ++a)
+  {
+    std::vector<vtkMTValueDeviation> known;
+    for (std::size_t i = a; i < floor.ValueDeviations.size(); i += arrays)
+    {
+      known.push_back(floor.ValueDeviations[i]);
+    }
+    const std::size_t array = (*context.CertifiedArrays)[a];
+    const std::vector<vtkMTValueDeviation> found =
+      vtkMTValueDeviation::Add({ floorSurface, vtkMTValueDeviation::Get(floor.Mesh, *context.Arrays, array) },
+        { fragmentSurface, vtkMTValueDeviation::Get(this->Fragment.Mesh, *context.Arrays, array) }, known, pairs);
+    for (std::size_t t = 0; t < triangles; ++t)
+    {
+      this->Fragment.ValueDeviations[t * arrays + a] = found[t];
+      this->ValueDeviations[a] = std::max({ this->ValueDeviations[a], found[t].ToInput, found[t].FromInput });
+    }
+  }
 }
 
 void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations)

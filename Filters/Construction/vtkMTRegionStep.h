@@ -33,6 +33,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
   double Error = 0.0; ///< certified distance of fragment and input, in steps of the lattice
   /// Certified angles between the normals of fragment and input.
   std::optional<vtkMTNormalDeviation::Angles> NormalDeviation;
+  std::vector<double> ValueDeviations;         ///< certified ones of the arrays that are to be
   double EdgeLength = 0.0;                     ///< mean, in steps
   bool HasFullySharedBorder = false;           ///< BMT section 3.2, condition 3, is violated here
   std::map<std::string, std::int64_t> Blocked; ///< filled when the target was missed
@@ -45,6 +46,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
     std::uint32_t FloorLevel;
     double Reduction;            ///< triangles of the floor over those of the fragment
     bool CertifyNormals = false; ///< or else there is no NormalDeviation
+    /// Which arrays' values are certified; none or null: no ones.
+    const std::vector<std::size_t>* CertifiedArrays = nullptr;
     /// Of the mesh that the sums of steps are held against (vtkMTDirectDeviation); below 2: they stand.
     std::uint32_t LevelsBelow = 0;
     /// Gives it near some triangles, relative to the origin that it is told.
@@ -59,13 +62,15 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
 private:
   static vtkMTCertifiedMesh Assemble(
     std::vector<vtkMTCertifiedMesh>& patches, const std::vector<vtkMTArrayInfo>& arrays, std::string& error);
-  bool Certify(const vtkMTPatch& floor, vtkMTDeviation::Relation&& relation, vtkMTSimplification& simplification,
-    const Context& context, std::string& error);
+  bool Certify(
+    vtkMTCertifiedMesh& floor, vtkMTSimplification& simplification, const Context& context, std::string& error);
   bool ImproveByFinerLevel(const vtkMTDirectDeviation::Mesh& floor, const vtkMTSurface& fragment,
     const vtkMTPoint& origin, const Context& context, std::vector<vtkMTTriangleDeviation>& deviations,
     std::string& error);
   void CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface, const vtkMTSurface& fragmentSurface,
     const vtkMTDeviation::Relation& relation, const Context& context, vtkMTDeviation::Findings& findings);
+  void CertifyValues(const vtkMTCertifiedMesh& floor, const vtkMTSurface& floorSurface,
+    const vtkMTSurface& fragmentSurface, const Context& context, const std::vector<vtkMTDeviation::Pair>& pairs);
   void RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations);
 };
 

@@ -9,6 +9,7 @@ bool vtkMTSimplifyStep::Run()
   const std::uint32_t next = state.Level + 1;
   std::vector<Result> results(this->GetNumberOfSlots());
   state.NodeOfFragment.assign(state.NextRegions, vtkMTSequenceState::None);
+  this->CertifiedArrays = this->Options.FindCertifiedArrays(state.Graph.Arrays);
   std::uint64_t left = 0;
   std::uint64_t triangles = 0;
   if (!state.Fragments.Begin(
@@ -60,7 +61,7 @@ bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::
     return true; // a region that lost all its triangles to its neighbours
   }
   vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->State.Graph.Arrays, &records.Locks,
-    this->State.Level, this->Options.Reduction, this->Options.CertifyNormals };
+    this->State.Level, this->Options.Reduction, this->Options.CertifyNormals, &this->CertifiedArrays };
   if (this->Options.KeepsFinerLevels())
   {
     context.LevelsBelow = std::min(this->State.Level + 1, static_cast<std::uint32_t>(this->Options.DirectLevels));
@@ -98,6 +99,8 @@ bool vtkMTSimplifyStep::PutFragment(std::uint32_t level, std::size_t region, con
     node.MeanNormalDeviation = step.NormalDeviation->Mean;
   }
   state.Nodes.push_back(node);
+  state.NodeValueDeviations.insert(
+    state.NodeValueDeviations.end(), step.ValueDeviations.begin(), step.ValueDeviations.end());
   state.Graph.FullySharedBorders += step.HasFullySharedBorder ? 1 : 0;
   for (const auto& [cause, edges] : step.Blocked)
   {

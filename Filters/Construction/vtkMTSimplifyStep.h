@@ -28,6 +28,7 @@ private:
     std::vector<vtkMTBarycentreSpool::Barycentre> Barycentres;
   };
 
+  std::vector<std::size_t> CertifiedArrays; // among the graph's arrays
   bool SimplifyRegion(std::size_t region, Result& result, std::string& error) const;
   bool PutFragment(std::uint32_t level, std::size_t region, const Result& result, std::string& error);
 };

@@ -122,12 +122,8 @@ bool vtkMTSplitStep::SplitFragment(
   result.Uses = std::move(split.Uses);
   for (vtkMTPatchSplitter::Part& part : split.Parts)
   {
-    vtkMTCertifiedMesh patch{ std::move(part.Patch), {} };
-    patch.Deviations.reserve(part.Triangles.size());
-    for (const std::uint32_t t : part.Triangles)
-    {
-      patch.Deviations.push_back(whole.Deviations[t]);
-    }
+    vtkMTCertifiedMesh patch{ std::move(part.Patch), {}, {} };
+    patch.TakeDeviations(whole, part.Triangles);
     result.Regions.push_back(part.Region);
     result.Records.emplace_back();
     {

@@ -125,6 +125,22 @@ void vtkMultiTriangulationBuilder::AddValueArrayName(const char* name)
   this->AddArrayName(name, this->ValueArrays, this->LabelArrays);
 }
 
+void vtkMultiTriangulationBuilder::AddCertifiedArrayName(const char* name)
+{
+  std::vector<std::string>& names = this->CertifiedArrays;
+  if (name && std::find(names.begin(), names.end(), name) == names.end())
+  {
+    names.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkMultiTriangulationBuilder::RemoveAllCertifiedArrayNames()
+{
+  this->CertifiedArrays.clear();
+  this->Modified();
+}
+
 void vtkMultiTriangulationBuilder::RemoveAllLabelArrayNames()
 {
   this->LabelArrays.clear();
@@ -234,6 +250,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.ExactPoints = this->ExactPoints;
   settings.CertifyNormals = this->CertifyNormals;
   settings.DirectLevels = this->DirectLevels;
+  settings.CertifiedArrays = this->CertifiedArrays;
   settings.LabelArrays = this->LabelArrays;
   settings.ValueArrays = this->ValueArrays;
   settings.Partition = this->PartitionStrategy;
@@ -326,6 +343,10 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
   {
     identity += "; values " + name;
   }
+  for (const std::string& name : this->CertifiedArrays)
+  {
+    identity += "; certified " + name;
+  }
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
     " bits, normals " + (this->MakeNormals ? "made, feature angle " + std::to_string(this->FeatureAngle) : "not made") +
     (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") +
@@ -401,6 +422,10 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExactPoints: " << (this->ExactPoints ? "on" : "off") << "\n";
   os << indent << "DirectLevels: " << this->DirectLevels << "\n";
   os << indent << "CertifyNormals: " << (this->CertifyNormals ? "on" : "off") << "\n";
+  for (const std::string& name : this->CertifiedArrays)
+  {
+    os << indent << "CertifiedArrayName: " << name << "\n";
+  }
   for (const std::string& name : this->LabelArrays)
   {
     os << indent << "LabelArrayName: " << name << "\n";

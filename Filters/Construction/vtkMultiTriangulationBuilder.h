@@ -117,8 +117,8 @@ public:
    * How many levels below a fragment the mesh is that its certified errors are held against, where the sums over the
    * steps in between are loose (vtkMTDirectDeviation). With 1 sums stand: a build then takes 0.7 of the
    * time, and certified errors of coarse levels are about twice the true ones where they are 1.3 to 1.5 times with 5.
-   * Errors hold either way. Default 5; clamped to [1, 8]. Has no effect where CertifyNormals is on: angles are
-   * certified together with sums of distances.
+   * Errors hold either way. Default 5; clamped to [1, 8]. Has no effect where CertifyNormals is on or values are
+   * certified: angles and values are certified together with sums of distances.
    */
   vtkSetClampMacro(DirectLevels, int, 1, 8);
   vtkGetMacro(DirectLevels, int);
@@ -133,6 +133,24 @@ public:
   vtkSetMacro(CertifyNormals, bool);
   vtkGetMacro(CertifyNormals, bool);
   vtkBooleanMacro(CertifyNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Arrays whose values are certified jointly with the distance (vtkMTValueDeviation): for every point of a fragment
+   * there is one of the input within the distance whose value differs by at most so much, and the other way round. The
+   * model then has the measure vtkMTMeasure::GetValueDeviationName for each of them. Arrays of points or cells, of one
+   * component; others, and names of which there is no array, are an error of the build. nullptr, and a name that was
+   * added before, are ignored. Default: none.
+   */
+  void AddCertifiedArrayName(const char* name);
+  void RemoveAllCertifiedArrayNames();
+#ifndef __VTK_WRAP__
+  const std::vector<std::string>& GetCertifiedArrayNames() const
+  {
+    return this->CertifiedArrays;
+  }
+#endif
   ///@}
 
   ///@{
@@ -259,6 +277,7 @@ private:
   bool ExactPoints = false;
   bool CertifyNormals = false;
   int DirectLevels = 5;
+  std::vector<std::string> CertifiedArrays;
   std::vector<std::string> LabelArrays;
   std::vector<std::string> ValueArrays;
   vtkSmartPointer<vtkMTPartitionStrategy> PartitionStrategy;

@@ -72,6 +72,12 @@ void vtkMTBuildState::Save(vtkMTBytes::Writer& writer) const
   writer.PutCounts(this->Graph.Blocked);
   writer.Put(this->Graph.FullySharedBorders);
   writer.PutList(this->Nodes);
+  writer.Put<std::uint64_t>(this->CertifiedArrays.size());
+  for (const std::string& name : this->CertifiedArrays)
+  {
+    writer.PutText(name);
+  }
+  writer.PutList(this->NodeValueDeviations);
   writer.PutList(this->Arcs);
   writer.PutList(this->LevelElements);
 }
@@ -86,6 +92,12 @@ void vtkMTBuildState::Load(vtkMTBytes::Reader& reader)
   reader.TakeCounts(this->Graph.Blocked);
   this->Graph.FullySharedBorders = reader.Take<std::uint32_t>();
   reader.TakeList(this->Nodes);
+  this->CertifiedArrays.clear();
+  for (auto names = reader.Take<std::uint64_t>(); names > 0 && reader.IsSound(); --names)
+  {
+    this->CertifiedArrays.push_back(reader.TakeText());
+  }
+  reader.TakeList(this->NodeValueDeviations);
   reader.TakeList(this->Arcs);
   reader.TakeList(this->LevelElements);
 }

@@ -45,12 +45,30 @@ std::vector<std::uint32_t> MakeNodes(const std::vector<vtkMTBuildState::NodeReco
   }
   return nodeOf;
 }
+
+// What is not certified, as a value that is no number, has the largest number.
+void AddValueMeasures(const vtkMTBuildState& state, const std::vector<std::uint32_t>& nodeOf, vtkMTGraph& graph)
+{
+  const std::size_t arrays = state.CertifiedArrays.size();
+  for (std::size_t a = 0; a < arrays; ++a)
+  {
+    vtkMTMeasure measure{ vtkMTMeasure::GetValueDeviationName(state.CertifiedArrays[a]),
+      std::vector<double>(graph.Nodes.size(), 0.0) };
+    for (std::size_t node = 0; node < nodeOf.size(); ++node)
+    {
+      measure.Values[nodeOf[node]] =
+        std::min(state.NodeValueDeviations[node * arrays + a], std::numeric_limits<double>::max());
+    }
+    graph.Measures.push_back(std::move(measure));
+  }
+}
 }
 
 bool vtkMTFinishGraph::Run(vtkMTBuildState& state, vtkMTPatchSink& sink, std::string& error)
 {
   vtkMTGraph& graph = state.Graph;
   const std::vector<std::uint32_t> nodeOf = MakeNodes(state.Nodes, graph);
+  AddValueMeasures(state, nodeOf, graph);
   graph.Arcs.reserve(state.Arcs.size());
   for (const vtkMTBuildState::ArcRecord& record : state.Arcs)
   {

@@ -102,6 +102,7 @@ _SETTINGS = {
     "arrays": _keep_arrays,
     "labels": _add_all("AddLabelArrayName"),
     "values": _add_all("AddValueArrayName"),
+    "certify_values": _add_all("AddCertifiedArrayName"),
     "ids": _set("SetKeepIds"),
     "exact": _set("SetExactPoints"),
     "certify_normals": _set("SetCertifyNormals"),
@@ -114,7 +115,7 @@ _SETTINGS = {
 # Those that mean something for a mesh that is in memory.
 _OF_MESHES = {
     "partition", "simplifier", "memory", "patch_triangles", "lattice_bits", "threads", "feature_angle", "labels", "values",
-    "exact", "certify_normals", "direct_levels", "keep_far_outliers", "normals",
+    "exact", "certify_normals", "certify_values", "direct_levels", "keep_far_outliers", "normals",
 }
 
 
