@@ -254,8 +254,7 @@ void AddSettings(CLI::App& command, Builder* builder)
     ->each([=](const std::string&) { builder->KeepAllArraysOff(); });
   list("--labels", &Builder::AddLabelArrayName, "Arrays that are labels, which never mix: whatever their type");
   list("--values", &Builder::AddValueArrayName, "Arrays that are values, which have a mean: integers too");
-  list(
-    "--certify-values", &Builder::AddCertifiedArrayName, "Scalars whose values are bounded jointly with the distance");
+  list("--certify-values", &Builder::AddCertifiedArrayName, "Scalars to be bounded jointly with the distance");
   const auto flag = [&](const char* name, void (Builder::*set)(), const char* text)
   {
     command.add_flag_callback(

@@ -191,12 +191,10 @@ void bmtAddVerify(CLI::App& app, bmtContext& context)
     "Checks: checksums (every block is read), graph, patches, nesting, pasting, conformity of random cuts and, with\n"
     "--input, the input, read by other code than the builder's: input_reading (by which; or 'not independently\n"
     "checked', exit code 3), input_triangles, _bounds, _area, _volume (signed), _orientation, _arrays, labels; then\n"
-    "by sampling certified_patch_to_input, certified_input_to_cut, certified_normals and certified_values. 'worst' is\n"
-    "the largest of what was measured over what is allowed: at most 1 when all is well. Errors are allowed 1e-12 of "
-    "the\n"
-    "model's size for the rounding of coordinates. certified_over_sampled: by level, the certified error of a node "
-    "over\n"
-    "the largest distance that was found by sampling. Exit code 0 only when every check passed.");
+    "by sampling certified_patch_to_input, certified_input_to_cut, certified_normals, certified_values. 'worst' is\n"
+    "the largest of what was measured over what is allowed: at most 1 when all is well. Errors are allowed 1e-12\n"
+    "of the model's size for rounding. certified_over_sampled: by level, the certified error of a node over the\n"
+    "largest distance that was found by sampling. Exit code 0 only when every check passed.");
   command->add_option("FILE", options->File, "A Multi-Triangulation file (.bmt)")->required();
   command
     ->add_option("--input", options->Input.Paths,

@@ -305,6 +305,9 @@ private:
         std::max({ this->Result.UpperBound, double(deviation.ToInput), double(deviation.FromInput) });
     }
     findings.FloorTriangle = std::move(this->FloorTriangle);
+    findings.Places.resize(this->Places.size());
+    std::transform(this->Places.begin(), this->Places.end(), findings.Places.begin(),
+      [](const Place& place) { return place.Triangle; });
   }
 
   static constexpr int MaximumAttempts = 8;

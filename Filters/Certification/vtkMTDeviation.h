@@ -77,6 +77,7 @@ struct VTKMTCERTIFICATION_EXPORT vtkMTDeviation
     bool KeepPairs = false; ///< given: whether Pairs are wanted
     std::vector<Pair> Pairs;
     std::vector<vtkMTTriangleDeviation> Deviations; ///< [fragment's triangles]
+    std::vector<std::uint32_t> Places; ///< [floor's points] the fragment's triangle that each was put on, or None
     std::vector<std::uint32_t> FloorTriangle; ///< [fragment's triangles] one of the floor that lies over or near it
   };
 

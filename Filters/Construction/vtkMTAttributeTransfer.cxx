@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTAttributeTransfer.h"
 
+#include "vtkMTLinearFit.h"
 #include "vtkMTSimplifier.h"
 #include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
 #include "vtkMTVector.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
 
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 using namespace vtkMTVector;
@@ -125,6 +128,146 @@ private:
   const vtkMTPatch& Floor;
   const std::vector<Hit>& Hits;
   const vtkMTSimplification& Simplification;
+};
+
+// Values of points that have a mean: what was taken at the places of the fragment's points is fitted to all of the
+// floor.
+class PointFit
+{
+public:
+  explicit PointFit(const vtkMTAttributeTransfer::Meshes& meshes, std::size_t sharedPoints)
+    : Meshes(meshes)
+    , SharedPoints(sharedPoints)
+  {
+  }
+
+  static bool IsFor(const vtkMTArrayInfo& info)
+  {
+    return info.Resampling == vtkMTArrayInfo::Interpolate && info.Role != vtkMTArrayInfo::ExactPoints &&
+      info.Attribute != vtkDataSetAttributes::TCOORDS;
+  }
+
+  void Run(const vtkMTArrayInfo& info, const vtkMTColumn& from, vtkMTColumn& to)
+  {
+    if (!this->Fit)
+    {
+      this->MakeSamples();
+    }
+    switch (info.Type)
+    {
+      vtkTemplateMacro(this->FitColumn<VTK_TT>(info, from, to));
+    }
+  }
+
+private:
+  // The middle of a floor's edge, as two of its wedges.
+  using Middle = std::array<std::uint32_t, 2>;
+
+  // Shared points keep their values, as their neighbours do; so do those of seams, which have one on each side.
+  std::vector<unsigned char> FindFreeWedges() const
+  {
+    const vtkMTSimplification& mesh = this->Meshes.Simplification;
+    std::vector<std::uint32_t> wedges(mesh.Points.size(), 0);
+    for (const std::uint32_t p : mesh.WedgePoints)
+    {
+      ++wedges[p];
+    }
+    std::vector<unsigned char> isFree(mesh.WedgePoints.size());
+    for (std::size_t w = 0; w < isFree.size(); ++w)
+    {
+      const std::uint32_t p = mesh.WedgePoints[w];
+      isFree[w] = p >= this->SharedPoints && wedges[p] == 1 ? 1 : 0;
+    }
+    return isFree;
+  }
+
+  // Middles of edges integrate what is linear over both meshes' triangles exactly where these are the same.
+  void MakeSamples()
+  {
+    const vtkMTSurface& floor = this->Meshes.FloorSurface;
+    const vtkMTSurface& fragment = this->Meshes.FragmentSurface;
+    std::vector<vtkMTLinearFit::Sample> samples;
+    for (std::uint32_t t = 0; t < floor.GetNumberOfTriangles(); ++t)
+    {
+      const Vector& a = floor.GetCorner(t, 0);
+      const double area = Norm(Cross(Subtract(floor.GetCorner(t, 1), a), Subtract(floor.GetCorner(t, 2), a)));
+      const std::uint32_t near = this->FindNear(t);
+      for (int c = 0; c < 3 && near != Hit::None && area > 0.0; ++c)
+      {
+        const Vector x = Lerp(floor.GetCorner(t, c), floor.GetCorner(t, (c + 1) % 3), 0.5);
+        Hit hit = fragment.Project(x, near);
+        fragment.Descend(x, hit);
+        if (Dot(fragment.GetNormal(hit.Triangle), floor.GetNormal(t)) > 0.0)
+        {
+          const vtkMTTriangle& wedges = this->Meshes.Floor.Triangles[t];
+          this->Middles.push_back({ wedges[c], wedges[(c + 1) % 3] });
+          samples.push_back({ this->Meshes.Simplification.Triangles[hit.Triangle], hit.Weights, area });
+        }
+      }
+    }
+    this->Fit.emplace(this->FindFreeWedges(), std::move(samples));
+  }
+
+  // A triangle of the fragment that one of the corners went to.
+  std::uint32_t FindNear(std::uint32_t t) const
+  {
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const std::uint32_t place = this->Meshes.Findings.Places[this->Meshes.FloorSurface.GetPoint(h)];
+      if (place != Hit::None)
+      {
+        return place;
+      }
+    }
+    return Hit::None;
+  }
+
+  template <class Value>
+  static Value Get(const vtkMTColumn& column, std::size_t i)
+  {
+    Value value;
+    std::memcpy(&value, column.data() + i * sizeof(Value), sizeof(Value));
+    return value;
+  }
+
+  template <class Value>
+  void FitColumn(const vtkMTArrayInfo& info, const vtkMTColumn& from, vtkMTColumn& to)
+  {
+    const auto components = static_cast<std::size_t>(info.Components);
+    std::vector<vtkMTLinearFit::Value> ofSamples(this->Middles.size());
+    std::vector<double> values(to.size() / (components * sizeof(Value)));
+    for (std::size_t i = 0; i < components; ++i)
+    {
+      for (std::size_t s = 0; s < ofSamples.size(); ++s)
+      {
+        const auto [a, b] = this->Middles[s];
+        const auto atA = static_cast<double>(Get<Value>(from, a * components + i));
+        const auto atB = static_cast<double>(Get<Value>(from, b * components + i));
+        ofSamples[s] = { 0.5 * atA + 0.5 * atB, std::min(atA, atB), std::max(atA, atB) };
+      }
+      for (std::size_t w = 0; w < values.size(); ++w)
+      {
+        values[w] = static_cast<double>(Get<Value>(to, w * components + i));
+      }
+      if (!std::all_of(ofSamples.begin(), ofSamples.end(),
+            [](const vtkMTLinearFit::Value& value) { return std::isfinite(value.Mean); }) ||
+        !std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
+      {
+        continue; // what was taken at the points stays
+      }
+      this->Fit->Solve(ofSamples, values);
+      for (std::size_t w = 0; w < values.size(); ++w)
+      {
+        const auto value = FromDouble<Value>(values[w]);
+        std::memcpy(to.data() + (w * components + i) * sizeof(Value), &value, sizeof(Value));
+      }
+    }
+  }
+
+  const vtkMTAttributeTransfer::Meshes& Meshes;
+  const std::size_t SharedPoints;
+  std::optional<vtkMTLinearFit> Fit;
+  std::vector<Middle> Middles; // [samples]
 };
 
 // Finds places on the floor for those of the fragment.
@@ -245,6 +388,7 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
     hits = locator.LocateMovedPoints();
   }
   const PointTransfer transfer(floor, hits, meshes.Simplification);
+  PointFit fit(meshes, fragment.Ids.size());
   const std::vector<std::uint32_t> nearest = locator.LocateTriangles();
   std::size_t pointArray = 0;
   std::size_t cellArray = 0;
@@ -255,6 +399,10 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
       if (info.Role != vtkMTArrayInfo::ExactPoints) // which only level 0 has
       {
         transfer.Run(info, floor.PointColumns[pointArray], fragment.PointColumns[pointArray]);
+      }
+      if (PointFit::IsFor(info))
+      {
+        fit.Run(info, floor.PointColumns[pointArray], fragment.PointColumns[pointArray]);
       }
       ++pointArray;
       continue;

@@ -3,11 +3,14 @@
  * @class vtkMTAttributeTransfer
  * @brief gives a fragment the attribute values of its floor
  *
- * A wedge whose point has not moved keeps its values bit for bit, so values agree across the border of a region. A
- * moved one takes them from the nearest place on the floor, among triangles that face the same way where there are any
- * (so that a thin wall's other side is not asked): barycentric for arrays that interpolate, the largest weight's value
- * for those that take the nearest, unit length for directions. A triangle takes all cell values, the input's cell id
- * among them, from the floor's triangle nearest to its barycentre, again one that faces the same way.
+ * A wedge whose point has not moved keeps its values bit for bit. A moved one takes them from the nearest place on the
+ * floor, among triangles that face the same way where there are any (so that a thin wall's other side is not asked):
+ * barycentric for arrays that interpolate, the largest weight's value for those that take the nearest, unit length for
+ * directions. Arrays that interpolate, texture coordinates excepted, are then fitted to the values of the whole floor
+ * (vtkMTLinearFit): points that are not shared with another region take the values by which the fragment is nearest to
+ * the floor in the mean of squares. Shared points, and those of seams, keep theirs, so values agree across the border
+ * of a region. A triangle takes all cell values, the input's cell id among them, from the floor's triangle nearest to
+ * its barycentre, again one that faces the same way.
  *
  * The nearest place is looked for from a triangle of the floor that is known to lie over the fragment's, or from where
  * its corners came from, by walking to nearer neighbours. All triangles are searched only where that ends on one that

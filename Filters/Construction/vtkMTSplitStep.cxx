@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using Barycentre = vtkMTBarycentreSpool::Barycentre;
 
@@ -117,6 +118,7 @@ bool vtkMTSplitStep::SplitFragment(
   const double sliver = std::ceil(SliverShare * static_cast<double>(this->Options.PatchTriangles));
   vtkMTSliverMerge::MergeSlivers(partition, barycentres, static_cast<std::size_t>(sliver), regions);
   result.Triangles = mesh.Triangles.size();
+  this->FindRanges(mesh, result);
   vtkMTPatchSplitter split =
     vtkMTPatchSplitter::Split(mesh, regions, this->State.Level, static_cast<std::uint32_t>(fragment));
   result.Uses = std::move(split.Uses);
@@ -144,8 +146,29 @@ bool vtkMTSplitStep::SplitFragment(
   return true;
 }
 
+void vtkMTSplitStep::FindRanges(const vtkMTPatch& mesh, Result& result) const
+{
+  if (this->State.Level > 0 || this->Options.CertifiedArrays.empty())
+  {
+    return;
+  }
+  const std::vector<vtkMTArrayInfo>& arrays = this->State.Graph.Arrays;
+  const std::vector<vtkMTRange> ranges = mesh.GetRanges(arrays);
+  for (const std::size_t array : this->Options.FindCertifiedArrays(arrays))
+  {
+    const std::size_t column = std::accumulate(arrays.begin(), arrays.begin() + static_cast<std::ptrdiff_t>(array),
+      std::size_t(0), [](std::size_t sum, const vtkMTArrayInfo& info) { return sum + info.Components; });
+    result.Ranges.push_back(ranges[column]);
+  }
+}
+
 bool vtkMTSplitStep::PutPatches(std::uint32_t toNode, Result& result, std::string& error)
 {
+  this->State.CertifiedRanges.resize(this->State.CertifiedArrays.size());
+  for (std::size_t a = 0; a < result.Ranges.size(); ++a)
+  {
+    this->State.CertifiedRanges[a].Add(result.Ranges[a]);
+  }
   for (std::size_t i = 0; i < result.Regions.size(); ++i)
   {
     const std::uint32_t region = result.Regions[i];

@@ -34,10 +34,12 @@ private:
     std::vector<std::uint32_t> Regions; // of the patches
     std::vector<PatchToWrite> Patches;
     std::vector<Bytes> Records;
-    std::vector<Bytes> Finer; // the same for vtkMTFinerLevels
+    std::vector<Bytes> Finer;       // the same for vtkMTFinerLevels
+    std::vector<vtkMTRange> Ranges; // of level 0, of the certified arrays
   };
 
   std::unique_ptr<vtkMTPartition> MakePartition();
+  void FindRanges(const vtkMTPatch& mesh, Result& result) const;
   bool SplitFragment(const vtkMTPartition& partition, std::size_t fragment, Result& result, std::string& error) const;
   bool PutPatches(std::uint32_t toNode, Result& result, std::string& error);
 };

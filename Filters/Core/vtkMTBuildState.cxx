@@ -77,6 +77,7 @@ void vtkMTBuildState::Save(vtkMTBytes::Writer& writer) const
   {
     writer.PutText(name);
   }
+  writer.PutList(this->CertifiedRanges);
   writer.PutList(this->NodeValueDeviations);
   writer.PutList(this->Arcs);
   writer.PutList(this->LevelElements);
@@ -97,6 +98,7 @@ void vtkMTBuildState::Load(vtkMTBytes::Reader& reader)
   {
     this->CertifiedArrays.push_back(reader.TakeText());
   }
+  reader.TakeList(this->CertifiedRanges);
   reader.TakeList(this->NodeValueDeviations);
   reader.TakeList(this->Arcs);
   reader.TakeList(this->LevelElements);

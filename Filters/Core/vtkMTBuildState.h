@@ -47,6 +47,7 @@ public:
   vtkMTGraph Graph;                         ///< lattice, arrays, reports; nodes and arcs only at the end
   std::vector<NodeRecord> Nodes;            ///< in the order in which their regions were done
   std::vector<std::string> CertifiedArrays; ///< whose values are certified
+  std::vector<vtkMTRange> CertifiedRanges;  ///< of those, over the input
   std::vector<double> NodeValueDeviations;  ///< [node * arrays + array] of those
   std::vector<ArcRecord> Arcs;              ///< in the order in which their patches were written
   std::vector<std::uint64_t> LevelElements; ///< triangles, points or samples of level 0, 1 ...

@@ -46,9 +46,11 @@ std::vector<std::uint32_t> MakeNodes(const std::vector<vtkMTBuildState::NodeReco
   return nodeOf;
 }
 
-// What is not certified, as a value that is no number, has the largest number.
+// No two values differ by more than the range of all. What is not certified, as a value that is no number, has the
+// largest number there is.
 void AddValueMeasures(const vtkMTBuildState& state, const std::vector<std::uint32_t>& nodeOf, vtkMTGraph& graph)
 {
+  constexpr double most = std::numeric_limits<double>::max();
   const std::size_t arrays = state.CertifiedArrays.size();
   for (std::size_t a = 0; a < arrays; ++a)
   {
@@ -56,8 +58,9 @@ void AddValueMeasures(const vtkMTBuildState& state, const std::vector<std::uint3
       std::vector<double>(graph.Nodes.size(), 0.0) };
     for (std::size_t node = 0; node < nodeOf.size(); ++node)
     {
-      measure.Values[nodeOf[node]] =
-        std::min(state.NodeValueDeviations[node * arrays + a], std::numeric_limits<double>::max());
+      const double deviation = state.NodeValueDeviations[node * arrays + a];
+      const double range = state.CertifiedRanges[a].Maximum - state.CertifiedRanges[a].Minimum;
+      measure.Values[nodeOf[node]] = deviation < range ? deviation : (std::isfinite(deviation) ? range : most);
     }
     graph.Measures.push_back(std::move(measure));
   }
