@@ -7,7 +7,7 @@
  * and whose data are within what the patch's node says, one and the same point; and for every sampled point of the
  * finest level there must be such a point of some patch of the cut, within that patch's error and what its node says.
  * (How the finest level lies to the input is tested elsewhere.) What data are, and whether a triangle has such a point,
- * is said by derived classes.
+ * is up to derived classes.
  *
  * The triangle of the nearest point is tried first, then all triangles within reach. One sample of four lies at a
  * corner of its triangle, where what is linear over triangles is largest.
