@@ -21,11 +21,10 @@ double Uniform(std::uint64_t seed, std::uint64_t index)
   return static_cast<double>(Mix(Mix(seed) + index) >> 11) * 0x1p-53;
 }
 
-vtkMTRealPoint PointInTriangle(const vtkMTSampledSurface& surface, std::uint32_t triangle, double u, double v)
+vtkMTRealPoint PointInTriangle(
+  const vtkMTSampledSurface& surface, std::uint32_t triangle, const std::array<double, 3>& weights)
 {
   const vtkMTTriangle& t = surface.Triangles[triangle];
-  const double root = std::sqrt(u);
-  const double weights[3] = { 1.0 - root, root * (1.0 - v), root * v };
   vtkMTRealPoint x{ 0.0, 0.0, 0.0 };
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -64,8 +63,10 @@ vtkMTSurfaceSampler::Samples vtkMTSurfaceSampler::Take(std::size_t first, std::s
     // The triangle in whose share of the area the place falls; never one without area.
     const auto above = std::upper_bound(this->Areas.begin() + 1, this->Areas.end() - 1, at * this->Areas.back());
     const auto triangle = static_cast<std::uint32_t>(above - this->Areas.begin() - 1);
-    samples.Points.push_back(
-      PointInTriangle(this->Surface, triangle, Uniform(this->Seed, 3 * k + 1), Uniform(this->Seed, 3 * k + 2)));
+    const double root = std::sqrt(Uniform(this->Seed, 3 * k + 1));
+    const double v = Uniform(this->Seed, 3 * k + 2);
+    samples.Points.push_back(PointInTriangle(this->Surface, triangle, { 1.0 - root, root * (1.0 - v), root * v }));
+    samples.Weights.push_back({ root * (1.0 - v), root * v });
     samples.Triangles.push_back(triangle);
   }
   return samples;

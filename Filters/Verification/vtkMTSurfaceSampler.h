@@ -11,6 +11,7 @@
 
 #include "vtkMTSampledSurface.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,7 +22,8 @@ public:
   struct Samples
   {
     std::vector<vtkMTRealPoint> Points;
-    std::vector<std::uint32_t> Triangles; ///< of each point
+    std::vector<std::uint32_t> Triangles;       ///< of each point
+    std::vector<std::array<double, 2>> Weights; ///< of its triangle's second and third corner
   };
 
   /// The surface must outlive this object.

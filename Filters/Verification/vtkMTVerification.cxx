@@ -2,6 +2,7 @@
 #include "vtkMTVerification.h"
 
 #include "Sampling/vtkMTNormalSampling.h"
+#include "Sampling/vtkMTValueSampling.h"
 #include "vtkMTGraph.h"
 #include "vtkMTInputComparison.h"
 #include "vtkMTPatchSource.h"
@@ -19,6 +20,8 @@ namespace
 constexpr std::size_t MeasuredCutsLimit = 8;
 // Samples for angles on each surface: each may cost a search among many triangles.
 constexpr std::size_t NormalSamplesLimit = 20000;
+// Those for values, where the search within a triangle costs little.
+constexpr std::size_t ValueSamplesLimit = 100000;
 // Triangles of the input that are looked up one by one in the model.
 constexpr std::size_t ComparedTrianglesLimit = 200000;
 
@@ -63,8 +66,9 @@ bool vtkMTVerification::Run(const Input& input, std::string& error)
   this->Step = 0.0;
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::size_t measuredCuts = std::min(this->Setting.Cuts, MeasuredCutsLimit);
-  const double normals = graph.FindMeasure(vtkMTMeasure::NormalDeviation) ? 1.0 : 0.0;
-  this->Steps = !input.IsEmpty() ? 4.0 + normals + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
+  const double joint = (vtkMTNormalSampling(this->Source, 1, 0).HasMeasure() ? 1.0 : 0.0) +
+    (vtkMTValueSampling(this->Source, 1, 0).HasMeasure() ? 1.0 : 0.0);
+  this->Steps = !input.IsEmpty() ? 4.0 + joint + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
   if (!this->TestStructure())
   {
     return false;
@@ -207,13 +211,22 @@ bool vtkMTVerification::TestErrors(vtkMTSampledSurface&& surface, std::string& e
   result.OutOfRange = sampling.GetInput().OutOfRange;
   result.Degenerate = sampling.GetInput().Degenerate;
   result.FarOutliers = sampling.GetInput().FarOutliers;
-  return this->TestNormals(error);
+  return this->TestJointly(error);
 }
 
-bool vtkMTVerification::TestNormals(std::string& error)
+bool vtkMTVerification::TestJointly(std::string& error)
+{
+  const std::size_t samples = this->Setting.Samples;
+  vtkMTNormalSampling normals(this->Source, std::min(samples, NormalSamplesLimit), this->Setting.Seed);
+  vtkMTValueSampling values(this->Source, std::min(samples, ValueSamplesLimit), this->Setting.Seed);
+  const bool done = this->TestJointly(normals, error) && this->TestJointly(values, error);
+  this->Checked.SkippedValues = values.GetNumberOfSkipped();
+  return done;
+}
+
+bool vtkMTVerification::TestJointly(vtkMTJointSampling& sampling, std::string& error)
 {
   const vtkMTGraph& graph = this->Source.GetGraph();
-  vtkMTNormalSampling sampling(this->Source, std::min(this->Setting.Samples, NormalSamplesLimit), this->Setting.Seed);
   if (!sampling.HasMeasure())
   {
     return true;

@@ -5,10 +5,10 @@
  *
  * First the model by itself (vtkMTStructureCheck). When all of it is sound, and an input is given, this is read another
  * way than the builder's (vtkMTVerifyInput) and held against the finest level (vtkMTInputComparison); then the
- * certified errors (vtkMTErrorSampling), and angles where the model has them (vtkMTNormalSampling): for every level,
- * and for some random cuts. An input that cannot be read another way is read by the opener for the errors alone, and
- * the check "input_reading" says so; it has tested nothing then. A model that is not sound has no cuts and distances
- * that would mean anything, so its input is not even opened.
+ * certified errors (vtkMTErrorSampling), and angles (vtkMTNormalSampling) and deviations of values (vtkMTValueSampling)
+ * where the model has them: for every level, and for some random cuts. An input that cannot be read another way is read
+ * by the opener for the errors alone, and the check "input_reading" says so; it has tested nothing then. A model that
+ * is not sound has no cuts and distances that would mean anything, so its input is not even opened.
  */
 #ifndef vtkMTVerification_h
 #define vtkMTVerification_h
@@ -27,6 +27,7 @@
 #include <string>
 #include <vector>
 
+class vtkMTJointSampling;
 class vtkMTPatchSource;
 class vtkPolyData;
 
@@ -63,6 +64,7 @@ public:
     std::map<std::uint32_t, vtkMTErrorSampling::Tightness> Tightness; ///< by level
     std::uint64_t MeasuredCuts = 0;
     double Tolerance = 0.0;
+    std::uint64_t SkippedValues = 0;               ///< samples of values that are not finite
     std::vector<vtkMTVerifyInput::Source> Sources; ///< of the input: how each file was read
     double CoordinateAllowance = 0.0; ///< what coordinates of the finest level may differ by, and what follows from it
     double AreaAllowance = 0.0;
@@ -88,7 +90,8 @@ private:
   bool Compare(vtkPolyData* mesh, double rounding, vtkMTSampledSurface& surface, std::string& error);
   bool OpenInput(const InputOpener& open, vtkMTSampledSurface& surface, std::string& error);
   bool TestErrors(vtkMTSampledSurface&& surface, std::string& error);
-  bool TestNormals(std::string& error);
+  bool TestJointly(std::string& error);
+  bool TestJointly(vtkMTJointSampling& sampling, std::string& error);
   vtkMTVerificationProgress NextStep();
 
   const vtkMTPatchSource& Source;

@@ -102,6 +102,7 @@ void vtkMultiTriangulationVerifier::Clear()
   this->VolumeAllowance = 0.0;
   this->Certified = false;
   this->NumberOfMeasuredCuts = 0;
+  this->NumberOfSkippedValues = 0;
   this->Tolerance = 0.0;
   this->NumberOfNonFiniteTriangles = 0;
   this->NumberOfOutOfRangeTriangles = 0;
@@ -215,6 +216,7 @@ bool vtkMultiTriangulationVerifier::Run(const vtkMTPatchSource& source, vtkPolyD
   this->VolumeAllowance = result.VolumeAllowance;
   this->Certified = result.IsCertified;
   this->NumberOfMeasuredCuts = static_cast<vtkIdType>(result.MeasuredCuts);
+  this->NumberOfSkippedValues = static_cast<vtkIdType>(result.SkippedValues);
   this->Tolerance = result.Tolerance;
   this->NumberOfNonFiniteTriangles = result.NonFinite;
   this->NumberOfOutOfRangeTriangles = result.OutOfRange;
@@ -352,6 +354,7 @@ void vtkMultiTriangulationVerifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Valid: " << (this->IsValid() ? "yes" : "no") << "\n";
   os << indent << "Certified: " << (this->Certified ? "yes" : "no") << "\n";
   os << indent << "NumberOfMeasuredCuts: " << this->NumberOfMeasuredCuts << "\n";
+  os << indent << "NumberOfSkippedValues: " << this->NumberOfSkippedValues << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "NumberOfNonFiniteTriangles: " << this->NumberOfNonFiniteTriangles << "\n";
   os << indent << "NumberOfOutOfRangeTriangles: " << this->NumberOfOutOfRangeTriangles << "\n";

@@ -13,7 +13,9 @@
  * cut for every level and for up to eight random cuts. The only allowance is 1e-12 of the model's size for the rounding
  * of coordinates. Where the model has certified angles between shading normals, "certified_normals" tests them in the
  * same cuts: every sampled point has one of the finest level within the error whose normal is within the angle, and the
- * other way round (1e-6 radians are allowed for single precision).
+ * other way round (1e-6 radians are allowed for single precision). Likewise "certified_values", for all arrays whose
+ * values were certified: with a point whose value differs by no more than is certified (and 1e-12 of the largest
+ * value).
  *
  * It is independent of the builder: it has its own surface, sampling and closest point search, its own readers of the
  * input's files, and knows the model through vtkMTPatchSource alone. Files (AddInputFileName) are read by VTK's readers
@@ -146,6 +148,8 @@ public:
   vtkTable* GetTightness();
   /// Cuts that were measured against the input.
   vtkGetMacro(NumberOfMeasuredCuts, vtkIdType);
+  /// Samples of certified values that were left out, because the value there is not finite: for each array one.
+  vtkGetMacro(NumberOfSkippedValues, vtkIdType);
   /// The allowance for rounding, in the model's units; 0 without an input.
   vtkGetMacro(Tolerance, double);
   ///@}
@@ -200,6 +204,7 @@ private:
   vtkSmartPointer<vtkTable> Tightness;
   bool Certified = false;
   vtkIdType NumberOfMeasuredCuts = 0;
+  vtkIdType NumberOfSkippedValues = 0;
   double Tolerance = 0.0;
   vtkIdType NumberOfNonFiniteTriangles = 0;
   vtkIdType NumberOfOutOfRangeTriangles = 0;

@@ -26,7 +26,7 @@ from ._model import Model, open_model, wrap
 
 BACKGROUND = (0.32, 0.34, 0.43)
 
-_METRICS = {"distance": "DISTANCE", "edges": "EDGE_LENGTH", "normals": "NORMAL_DEVIATION"}
+_METRICS = {"distance": "DISTANCE", "edges": "EDGE_LENGTH", "normals": "NORMAL_DEVIATION", "value": "VALUE"}
 _OF_CUT = {"level": "LEVEL", "patch": "PATCH", "error": "ERROR_IN_PIXELS"}
 
 
@@ -66,18 +66,28 @@ def _get_component(data, name, component):
     return 0 if single else -1 if component is None else component
 
 
-def configure(mapper, pixel_error, metric, triangles, color_by=None):
+def configure(mapper, pixel_error, metric, triangles, color_by=None, value=None, value_error=0.0):
     """What a mapper draws of a model; color_by is "level", "patch" or "error", or None."""
+    if value is None and metric == "value":
+        raise ValueError("metric='value' needs the name of an array: value='thickness'")
+    if value is not None and metric not in ("distance", "value"):
+        raise ValueError(f"value='{value}' goes with metric='value' and not with metric='{metric}'")
+    metric = metric if value is None else "value"
     if metric not in _METRICS or not hasattr(vtkMultiTriangulationMapper, _METRICS[metric]):
         raise ValueError(f"metric='{metric}' is none of {', '.join(_METRICS)}")
     if color_by is not None and color_by not in _OF_CUT:
         raise ValueError(f"color_by='{color_by}' is none of {', '.join(_OF_CUT)}")
     mapper.SetErrorMetric(getattr(mapper, _METRICS[metric]))
     mapper.SetTriangleLimit(int(triangles))
-    with Listener(mapper) as listener:
-        mapper.SetPixelError(float(pixel_error))
-    if listener.errors:
-        raise ValueError(f"pixel_error={pixel_error}: {listener.errors[0]}")
+    mapper.SetErrorMetricArray(value)
+    for name, number, setter in (
+        ("pixel_error", pixel_error, mapper.SetPixelError),
+        ("value_error", value_error, mapper.SetValueError),
+    ):
+        with Listener(mapper) as listener:
+            setter(float(number))
+        if listener.errors:
+            raise ValueError(f"{name}={number}: {listener.errors[0]}")
     if color_by is not None:
         mapper.SetColorBy(getattr(mapper, _OF_CUT[color_by]))
 
@@ -88,6 +98,8 @@ def actor(
     pixel_error: float = 1.0,
     metric: str = "distance",
     triangles: int = 0,
+    value: str | None = None,
+    value_error: float = 0.0,
     color_by: str | None = None,
     component: int | None = None,
     clim: Sequence[float] | None = None,
@@ -98,9 +110,12 @@ def actor(
 
     model: what `read` or `build` gave, or the name of a file.
     pixel_error: how far the picture of the surface may be from the input's, in pixels; 0: as fine as it is stored.
-    metric: what that is compared with: "distance" (certified), "edges" (mean edge length) or "normals" (normal
-    deviation, where the model was built with certify_normals=True).
+    metric: what that is compared with: "distance" (certified), "edges" (mean edge length), "normals" (normal
+    deviation, where the model was built with certify_normals=True) or "value".
     triangles: at most so many in a frame; 0: no limit.
+    value: the name of an array, where the model was built with certified values of it; it makes the metric "value".
+    value_error: by how much its values may deviate from the input's, in its units, where triangles are larger than
+    pixel_error.
     color_by: the name of an array, "level", "patch" or "error"; None: the model's own colours where it has some.
     component: of arrays with several, from 0; None: the magnitude.
     clim: the values that the colours span; None: the range of the whole model, whatever is drawn of it.
@@ -112,7 +127,7 @@ def actor(
     if not isinstance(model, Model):
         model = wrap(model)
     mapper = vtkMultiTriangulationMapper()
-    configure(mapper, pixel_error, metric, triangles)
+    configure(mapper, pixel_error, metric, triangles, value=value, value_error=value_error)
     mapper.SetInputDataObject(model)
     _color(mapper, model, color_by, component, clim, lut)
     result = vtkActor()

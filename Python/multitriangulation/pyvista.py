@@ -230,14 +230,16 @@ def add_mesh(
     pixel_error: float = 1.0,
     metric: str = "distance",
     triangles: int = 0,
+    value: str | None = None,
+    value_error: float = 0.0,
     color_by: str | None = None,
     **kwargs: Any,
 ) -> pyvista.Actor:
     """
     Adds a model to a plotter: pyvista.Plotter.add_mesh, drawn by the toolkit's mapper at the resolution of the view.
 
-    pixel_error, metric, triangles: see multitriangulation.actor. color_by: "level", "patch" or "error". All else as for
-    PyVista's method. Ranges of colours are those of the whole model. ValueError for what needs the values of a mesh:
+    pixel_error, metric, triangles, value, value_error: see multitriangulation.actor. color_by: "level", "patch" or
+    "error". All else as for PyVista's method. Ranges of colours are those of the whole model. ValueError for what needs the values of a mesh:
     categories, silhouette, show_vertices, an array of opacities; TypeError for scalars that are no name.
 
     Gives a pyvista.Actor; its mapper is a `Mapper`, with all settings and figures.
@@ -252,7 +254,7 @@ def add_mesh(
     stand_in.ShallowCopy(model)
     name, association = _choose_scalars(model, stand_in, options, color_by)
     mapper = Mapper(theme=plotter.theme)
-    configure(mapper, pixel_error, metric, triangles, color_by)
+    configure(mapper, pixel_error, metric, triangles, color_by, value, value_error)
     actor = plain(plotter, stand_in, show_scalar_bar=False, render=False, **options)
     mapper.ShallowCopy(actor.mapper)
     mapper.SetInputDataObject(model)

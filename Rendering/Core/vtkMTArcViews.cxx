@@ -26,7 +26,10 @@ void vtkMTArcViews::Begin(
   this->Threshold = views.empty() ? settings.ModelError : settings.PixelError;
   this->Eyes.clear();
   const bool isOfNormals = settings.ErrorMetric == vtkMTTargetCut::NormalDeviation;
-  this->NormalDeviations = isOfNormals ? graph.FindMeasure(vtkMTMeasure::MeanNormalDeviation) : nullptr;
+  const bool isOfValues = settings.ErrorMetric == vtkMTTargetCut::Value && !settings.ValueArray.empty();
+  this->Deviations = isOfNormals ? graph.FindMeasure(vtkMTMeasure::MeanNormalDeviation)
+    : isOfValues                 ? graph.FindMeasure(vtkMTMeasure::GetValueDeviationName(settings.ValueArray))
+                                 : nullptr;
   for (const vtkMTView& view : views)
   {
     const std::optional<Facing> side =
@@ -44,8 +47,9 @@ double vtkMTArcViews::GetShadingLength(std::uint32_t node) const
     case vtkMTTargetCut::EdgeLength:
       return length;
     case vtkMTTargetCut::NormalDeviation:
-      return this->NormalDeviations ? length * std::sin(0.5 * std::min(this->NormalDeviations->Values[node], Straight))
-                                    : length;
+      return this->Deviations ? length * std::sin(0.5 * std::min(this->Deviations->Values[node], Straight)) : length;
+    case vtkMTTargetCut::Value:
+      return this->Deviations && !(this->Deviations->Values[node] > this->Options.ValueError) ? 0.0 : length;
     default:
       return 0.0;
   }
@@ -84,6 +88,10 @@ double vtkMTArcViews::GetWanted(
   if (this->Options.ErrorMetric == vtkMTTargetCut::EdgeLength)
   {
     return eye.Projector.GetPixelError(depth, length);
+  }
+  if (this->Options.ErrorMetric == vtkMTTargetCut::Value)
+  {
+    return std::max(certified, eye.Projector.GetPixelError(depth, length));
   }
   const bool counts = eye.Projector.GetPixelError(depth, this->Graph->Nodes[arc.To].EdgeLength) > 1.0;
   const double share = counts && eye.Toward ? this->GetFacingShare(arc, *eye.Toward) : 1.0;

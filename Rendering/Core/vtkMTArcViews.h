@@ -81,7 +81,7 @@ private:
   double GetFacingShare(const vtkMTArc& arc, const Facing& side) const;
 
   const vtkMTGraph* Graph = nullptr;
-  const vtkMTMeasure* NormalDeviations = nullptr; // none: not known
+  const vtkMTMeasure* Deviations = nullptr; // of normals or values, as the metric says; none: not known
   std::vector<Eye> Eyes;
   vtkMTTargetCut::Settings Options;
   double Threshold = 0.0;

@@ -14,8 +14,9 @@ namespace
 bool IsSame(const vtkMTCutFollower::Settings& a, const vtkMTCutFollower::Settings& b)
 {
   return a.PixelError == b.PixelError && a.TriangleLimit == b.TriangleLimit && a.TimeLimit == b.TimeLimit &&
-    a.ErrorMetric == b.ErrorMetric && a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling &&
-    a.UploadBudget == b.UploadBudget && a.Prefetch == b.Prefetch && a.Wait == b.Wait;
+    a.ErrorMetric == b.ErrorMetric && a.ValueArray == b.ValueArray && a.ValueError == b.ValueError &&
+    a.FrustumCulling == b.FrustumCulling && a.FacingCulling == b.FacingCulling && a.UploadBudget == b.UploadBudget &&
+    a.Prefetch == b.Prefetch && a.Wait == b.Wait;
 }
 
 bool IsSame(const vtkMTView& a, const vtkMTView& b)

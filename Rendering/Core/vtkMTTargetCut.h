@@ -59,7 +59,12 @@ public:
     /// the direction to the eye, as a patch that is turned away covers few pixels. Normals count only where L is more
     /// than a pixel. Where the model does not have the measure, a is a straight angle. Without a view, distance and L
     /// sin(a / 2) count.
-    NormalDeviation = 2
+    NormalDeviation = 2,
+    /// The certified distance, and where the certified deviation of an array's values (ValueArray) is above ValueError,
+    /// the mean edge length, if that is more: what deviates by more is refined until its edges are no longer than the
+    /// threshold, so what is too small to be seen is never refined for its values. Where the model does not have the
+    /// measure, every deviation is above.
+    Value = 3
   };
 
   struct Settings
@@ -81,6 +86,10 @@ public:
     /// Gives seconds, from any origin on; none: a steady clock.
     std::function<double()> Clock;
     ErrorMetricType ErrorMetric = Distance;
+    /// For the metric Value: the array's name, default none, and the largest deviation of its values that is allowed,
+    /// in the array's units, default 0.
+    std::string ValueArray;
+    double ValueError = 0.0;
     /// Whether patches outside the frustum are left out. Refinement follows the frustum in either case. Default on.
     bool FrustumCulling = true;
     /// Whether patches all of whose triangles are seen from behind are left out, by their normal cones. Default off:
@@ -165,9 +174,12 @@ public:
   ///@}
 
   ///@{
-  /// Of one arc's patch in a view: its bound in pixels, and whether any of it can be seen.
+  /// Of one arc's patch in a view: its bound in pixels, by a metric or by that of the settings, and whether any of it
+  /// can be seen.
   static double GetPixelError(
     const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorMetricType choice);
+  static double GetPixelError(
+    const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, const Settings& settings);
   static bool IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc);
   ///@}
 

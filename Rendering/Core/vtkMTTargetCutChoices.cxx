@@ -67,10 +67,16 @@ bool vtkMTTargetCut::ByLevel(const vtkMTGraph& graph, std::uint32_t level, vtkMT
 double vtkMTTargetCut::GetPixelError(
   const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, ErrorMetricType choice)
 {
-  if (choice == NormalDeviation)
+  Settings settings;
+  settings.ErrorMetric = choice;
+  return vtkMTTargetCut::GetPixelError(graph, view, arc, settings);
+}
+
+double vtkMTTargetCut::GetPixelError(
+  const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc, const Settings& settings)
+{
+  if (settings.ErrorMetric == NormalDeviation || settings.ErrorMetric == Value)
   {
-    Settings settings;
-    settings.ErrorMetric = choice;
     vtkMTArcViews views;
     views.Begin(graph, { view }, settings);
     return std::max(0.0, views.Look(arc).Wanted);
@@ -78,7 +84,7 @@ double vtkMTTargetCut::GetPixelError(
   const vtkMTArcProjector projector(graph.Lattice, view);
   const vtkMTNode& node = graph.Nodes[graph.Arcs[arc].To];
   const vtkMTArcProjector::Depth depth = projector.GetDepth(vtkMTArcProjector::Box(graph.Arcs[arc].Box));
-  return projector.GetPixelError(depth, choice == EdgeLength ? node.EdgeLength : node.Error);
+  return projector.GetPixelError(depth, settings.ErrorMetric == EdgeLength ? node.EdgeLength : node.Error);
 }
 
 bool vtkMTTargetCut::IsVisible(const vtkMTGraph& graph, const vtkMTView& view, std::uint32_t arc)

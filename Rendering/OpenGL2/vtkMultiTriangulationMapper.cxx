@@ -34,6 +34,7 @@ vtkMultiTriangulation* GetModel(vtkDataObject* input)
 
 vtkStandardNewMacro(vtkMultiTriangulationMapper);
 vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, PixelError, 0.0, 1e9);
+vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, ValueError, 0.0, 1e300);
 vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, CutTimeLimit, 0.0, 1e9);
 vtkMTCxxSetClampMacro(vtkMultiTriangulationMapper, DrawingRate, 0.0, 1e15);
 
@@ -59,8 +60,10 @@ void vtkMultiTriangulationMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "TriangleLimit: " << this->TriangleLimit << "\n";
-  constexpr const char* metrics[] = { "Distance", "EdgeLength", "NormalDeviation" };
+  constexpr const char* metrics[] = { "Distance", "EdgeLength", "NormalDeviation", "Value" };
   os << indent << "ErrorMetric: " << metrics[this->ErrorMetric] << "\n";
+  os << indent << "ErrorMetricArray: " << this->ErrorMetricArray << "\n";
+  os << indent << "ValueError: " << this->ValueError << "\n";
   os << indent << "FrustumCulling: " << this->FrustumCulling << "\n";
   os << indent << "FacingCulling: " << this->FacingCulling << "\n";
   os << indent << "WaitForConvergence: " << this->WaitForConvergence << "\n";
@@ -102,6 +105,8 @@ void vtkMultiTriangulationMapper::ShallowCopy(vtkAbstractMapper* mapper)
     this->SetPixelError(other->GetPixelError());
     this->SetTriangleLimit(other->GetTriangleLimit());
     this->SetErrorMetric(other->GetErrorMetric());
+    this->SetErrorMetricArray(other->GetErrorMetricArray());
+    this->SetValueError(other->GetValueError());
     this->SetFrustumCulling(other->GetFrustumCulling());
     this->SetFacingCulling(other->GetFacingCulling());
     this->SetWaitForConvergence(other->GetWaitForConvergence());

@@ -144,21 +144,38 @@ public:
   {
     DISTANCE = 0,
     EDGE_LENGTH = 1,
-    NORMAL_DEVIATION = 2
+    NORMAL_DEVIATION = 2,
+    VALUE = 3
   };
 
   ///@{
   /**
    * What PixelError is compared with: the certified distance to the input (the default), which says where the surface
-   * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; or the normal deviation, which
-   * spends triangles where shading shows them (vtkMTTargetCut says how). Models that were not built with
-   * CertifyNormals lack it and are drawn by the larger one of the two others. Other values are clamped.
+   * is; the mean edge length (BMT section 5.1), which says how finely it can be shaded; the normal deviation, which
+   * spends triangles where shading shows them (vtkMTTargetCut says how); or the values of an array, see below. Models
+   * that were not built with CertifyNormals, or CertifiedValues, lack what the latter two go by and are drawn by the
+   * larger one of the first two. Other values are clamped.
    */
-  vtkSetClampMacro(ErrorMetric, int, DISTANCE, NORMAL_DEVIATION);
+  vtkSetClampMacro(ErrorMetric, int, DISTANCE, VALUE);
   vtkGetMacro(ErrorMetric, int);
   void SetErrorMetricToDistance() { this->SetErrorMetric(DISTANCE); }
   void SetErrorMetricToEdgeLength() { this->SetErrorMetric(EDGE_LENGTH); }
   void SetErrorMetricToNormalDeviation() { this->SetErrorMetric(NORMAL_DEVIATION); }
+  void SetErrorMetricToValue() { this->SetErrorMetric(VALUE); }
+  ///@}
+
+  ///@{
+  /**
+   * For VALUE: the name of the array, default none, and the largest deviation of its values that is allowed, in the
+   * array's units; default 0, clamped to [0, 1e300]; NaN is refused with an error event. What can be seen is refined
+   * while its certified distance is above PixelError, and while the certified deviation of its values is above
+   * ValueError and its mean edge length above PixelError: colours are right to within ValueError wherever a triangle is
+   * large enough to be seen. AchievedPixelError stays that of the distance.
+   */
+  vtkSetStdStringFromCharMacro(ErrorMetricArray);
+  vtkGetCharFromStdStringMacro(ErrorMetricArray);
+  void SetValueError(double deviation);
+  vtkGetMacro(ValueError, double);
   ///@}
 
   ///@{
@@ -432,6 +449,8 @@ private:
   double PixelError = 1.0;
   vtkIdType TriangleLimit = 0;
   int ErrorMetric = DISTANCE;
+  std::string ErrorMetricArray;
+  double ValueError = 0.0;
   bool FrustumCulling = true;
   bool FacingCulling = true;
   int WaitForConvergence = WAIT_WHEN_STILL;

@@ -113,6 +113,8 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   settings.Cut.TriangleLimit =
     GetLower(static_cast<std::uint64_t>(this->TriangleLimit), this->GetTrianglesInTime(renderer, actor));
   settings.Cut.ErrorMetric = static_cast<vtkMTTargetCut::ErrorMetricType>(this->ErrorMetric);
+  settings.Cut.ValueArray = this->ErrorMetricArray;
+  settings.Cut.ValueError = this->ValueError;
   settings.Cut.FrustumCulling = this->FrustumCulling;
   // A frame that mirrors turns the triangles, and the cones that say what faces away are those of the lattice.
   settings.Cut.FacingCulling =

@@ -82,7 +82,18 @@ class Drawing(unittest.TestCase):
         self.assertIsInstance(mapper, mt.vtkMultiTriangulationMapper)
         self.assertEqual(
             (mapper.GetPixelError(), mapper.GetErrorMetric(), mapper.GetTriangleLimit()), (3.5, mapper.EDGE_LENGTH, 1234))
-        for bad in ({"pixel_error": float("nan")}, {"metric": "beauty"}):
+        self.assertEqual((mapper.GetErrorMetricArray(), mapper.GetValueError()), ("", 0))
+        mapper = mt.actor(self.name, value="height", value_error=0.25).GetMapper()
+        self.assertEqual(
+            (mapper.GetErrorMetric(), mapper.GetErrorMetricArray(), mapper.GetValueError()),
+            (mapper.VALUE, "height", 0.25))
+        for bad in (
+            {"pixel_error": float("nan")},
+            {"metric": "beauty"},
+            {"metric": "value"},
+            {"metric": "edges", "value": "height"},
+            {"value": "height", "value_error": float("nan")},
+        ):
             with self.assertRaises(ValueError):
                 mt.actor(self.model, **bad)
         with self.assertRaisesRegex(KeyError, "no array 'depth'"):

@@ -95,6 +95,8 @@ public:
   /// Forwarded to the mapper, which describes them. SetCutColoring is its SetColorBy.
   void SetPixelError(double pixels);
   void SetErrorMetric(int metric);
+  void SetErrorMetricArray(const char* name);
+  void SetValueError(double deviation);
   void SetTriangleLimit(vtkIdType triangles);
   void SetWaitForConvergence(int wait);
   void SetUploadLimit(vtkIdType bytes);

@@ -29,6 +29,18 @@ void vtkMultiTriangulationRepresentation::SetErrorMetric(int metric)
 }
 
 //------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetErrorMetricArray(const char* name)
+{
+  this->GetMultiTriangulationMapper()->SetErrorMetricArray(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetValueError(double deviation)
+{
+  this->GetMultiTriangulationMapper()->SetValueError(deviation);
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiTriangulationRepresentation::SetTriangleLimit(vtkIdType triangles)
 {
   this->GetMultiTriangulationMapper()->SetTriangleLimit(triangles);
