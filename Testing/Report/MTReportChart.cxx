@@ -67,7 +67,7 @@ void WritePicture(vtkRenderWindow* window, const std::string& path)
   picture->SetInput(window);
   picture->ReadFrontBufferOff();
   picture->Update();
-  MTReportImage::Write(picture->GetOutput(), path);
+  MTReportImage::Write(picture->GetOutput(), 8, path);
 }
 }
 

@@ -238,7 +238,10 @@ void MTReportDrawing(MTReportContext& context, MTReportSection& section)
     "Popping is what the change of the cut alone does to the picture: the cut of the frame before and that of the "
     "frame, seen from the same place. Outline: the farthest that a pixel which shows the model in one picture is from "
     "one that does in the other. Drawing is by software here, so CPU time is what a frame costs. Models for "
-    "normal deviation are built with certified normals, whose distances are sums of steps and looser.");
+    "normal deviation are built with certified normals, whose distances are sums of steps and looser. Where the "
+    "differences of one of VTK's actors are zero, it drew full resolution: vtkLODActor goes by the time that commands "
+    "to "
+    "OpenGL take and not by that of drawing.");
   Extremes extremes;
   int number = 0;
   for (const MTReportMesh& mesh : context.GetMeshes())

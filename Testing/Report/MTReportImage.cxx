@@ -11,13 +11,13 @@
 #include <cmath>
 #include <stdexcept>
 
-void MTReportImage::Write(vtkImageData* image, const std::string& path)
+void MTReportImage::Write(vtkImageData* image, int levels, const std::string& path)
 {
-  constexpr double Step = 255.0 / 7.0;
+  const double step = 255.0 / (levels - 1);
   auto* pixels = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
   for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
   {
-    pixels->SetValue(i, static_cast<unsigned char>(std::lround(std::round(pixels->GetValue(i) / Step) * Step)));
+    pixels->SetValue(i, static_cast<unsigned char>(std::lround(std::round(pixels->GetValue(i) / step) * step)));
   }
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);

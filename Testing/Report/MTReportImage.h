@@ -9,9 +9,10 @@ class vtkImageData;
 
 namespace MTReportImage
 {
-/// Writes a picture of three components as a small PNG: eight levels of each component are enough for lines and
-/// letters, and halve the file. Changes the picture to what is written. Throws std::runtime_error where that fails.
-void Write(vtkImageData* image, const std::string& path);
+/// Writes a picture of three components as a small PNG, with so many levels of each component: few of them are enough
+/// for lines and letters, and halve the file. Changes the picture to what is written. Throws std::runtime_error where
+/// that fails.
+void Write(vtkImageData* image, int levels, const std::string& path);
 }
 
 #endif

@@ -184,5 +184,5 @@ void MTReportPicture::Write(const std::vector<std::vector<MTReportPicture>>& row
       }
     }
   }
-  MTReportImage::Write(image, path);
+  MTReportImage::Write(image, 64, path);
 }
