@@ -131,10 +131,10 @@ Mesh Sponge(int triangles)
 {
   const int side = triangles < 500 ? 3 : triangles < 10000 ? 9 : 27;
   Parts parts;
-  std::map<std::array<int, 3>, vtkIdType> known;
+  std::map<int, vtkIdType> known;
   const auto getPoint = [&](const std::array<int, 3>& x)
   {
-    const auto found = known.insert({ x, static_cast<vtkIdType>(parts.Places.size()) });
+    const auto found = known.insert({ x[0] + 100 * (x[1] + 100 * x[2]), static_cast<vtkIdType>(parts.Places.size()) });
     return found.second ? parts.Add(x[0], x[1], x[2]) : found.first->second;
   };
   const auto isThere = [side](const std::array<int, 3>& x) {
@@ -159,7 +159,10 @@ Mesh Sponge(int triangles)
         corners[c][(axis + 1) % 3] += c == 1 || c == 2;
         corners[c][(axis + 2) % 3] += c >= 2;
       }
-      std::swap(corners[1], corners[face % 2 == 1 ? 1 : 3]);
+      if (face % 2 == 0)
+      {
+        std::swap(corners[1], corners[3]);
+      }
       const vtkIdType first = getPoint(corners[0]);
       const vtkIdType third = getPoint(corners[2]);
       parts.AddTriangle(first, getPoint(corners[1]), third);
