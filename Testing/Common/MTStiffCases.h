@@ -12,24 +12,33 @@
 #include "MTStiffStudy.h"
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
 namespace MTStiffCases
 {
-/// The least that is claimed; NoLimit: nothing is.
+/// At most, or whether; the claims as they are, and what tests assert of a case where that is less.
 struct Limits
 {
   double Looseness = 5.0;    ///< certified over found, where more than ten steps were found
   double FlippedShare = 0.0; ///< triangles that face away from the input beside them
   double MadeIntersections = 0.0;
+  double RootTriangles = 4.0; ///< of the coarsest cut, in targets of a region
+  double FlatError = 0.0;     ///< of what is flat, in steps
   bool KeepsComponents = true;
   bool KeepsEuler = true;
-  double RootTriangles = 4.0; ///< of the coarsest cut, in targets of a region
-  double Motion = 2.0;        ///< ratio of median errors after a rigid motion
+
+  ///@{
+  /// These limits with one of them changed.
+  Limits WithLooseness(double limit) const;
+  Limits WithFlipped(double share) const;
+  Limits WithIntersections(double count) const;
+  Limits WithRoot(double targets) const;
+  Limits WithFlatError(double steps) const;
+  Limits WithLostComponents() const;
+  ///@}
 };
-constexpr double NoLimit = 1e300;
-const Limits Claims;
 
 struct Case
 {
@@ -40,9 +49,16 @@ struct Case
   int ReportTriangles;
   Limits Limit;
   int LatticeBits = 24;
-  bool IsFlat = false; ///< its errors are zero, at every level
-  bool Grows = false;  ///< the report shows its build time against its size
+  bool IsFlat = false;      ///< its errors are zero, at every level
+  bool Grows = false;       ///< the report shows its build time against its size
+  const char* Refusal = ""; ///< the message with which it is refused; empty: it is built
 };
+
+/// What a failed test prints.
+inline std::ostream& operator<<(std::ostream& os, const Case& stiff)
+{
+  return os << stiff.Name;
+}
 
 const std::vector<Case>& GetCases();
 /// Null when there is none.

@@ -191,11 +191,12 @@ std::string MTStiffStudy::CompareScaled(const vtkMTPatchStore& store, const vtkM
 //------------------------------------------------------------------------------
 double MTStiffStudy::CompareErrors(const Result& a, const Result& b)
 {
+  const double least = 10.0 * std::max(a.Step, b.Step);
   double largest = 1.0;
   for (std::size_t level = 1; level < std::min(a.Levels.size(), b.Levels.size()); ++level)
   {
-    const double x = std::max(a.Levels[level].MedianError, 10.0 * a.Step);
-    const double y = std::max(b.Levels[level].MedianError, 10.0 * b.Step);
+    const double x = std::max(a.Levels[level].MedianError, least);
+    const double y = std::max(b.Levels[level].MedianError, least);
     largest = std::max({ largest, x / y, y / x });
   }
   return largest;
