@@ -78,7 +78,7 @@ struct Verdict
   double Limit = 0.0;   ///< what tests assert: at most that
   bool Holds() const { return this->Figure <= this->Claimed; }
 };
-/// Of everything but the motion; figures that were not counted are left out.
+/// Of everything that a result has; figures that were not counted are left out.
 std::vector<Verdict> GetVerdicts(
   const Case& stiff, const MTStiffStudy::Settings& settings, const MTStiffStudy::Result& result);
 }

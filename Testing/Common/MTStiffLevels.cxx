@@ -152,6 +152,14 @@ bool MTStiffLevels::Read(std::uint32_t level, Cut& cut) const
 }
 
 //------------------------------------------------------------------------------
+MTWorstPlace::Surface MTStiffLevels::GetSurface(std::uint32_t level) const
+{
+  Cut cut;
+  this->Read(level, cut);
+  return cut.Surface;
+}
+
+//------------------------------------------------------------------------------
 void MTStiffLevels::Search(const Cut& cut, MTStiffStudy::Level& found) const
 {
   std::vector<double> allowed;

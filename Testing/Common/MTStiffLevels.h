@@ -16,6 +16,10 @@ public:
   MTStiffLevels(vtkPolyData* input, const vtkMTPatchStore& store, std::size_t climbs, bool isSearched);
 
   MTStiffStudy::Level Measure(std::uint32_t level, std::size_t pairs) const;
+  /// In the frame.
+  const MTWorstPlace::Surface& GetInput() const { return this->Input; }
+  MTWorstPlace::Surface GetSurface(std::uint32_t level) const;
+  double ToLocal(double distance) const;
   double GetDiagonal() const { return this->Diagonal; } ///< of the input, model units
 
 private:
@@ -30,7 +34,6 @@ private:
   bool Read(std::uint32_t level, Cut& cut) const;
   void ReadInput(vtkPolyData* input);
   MTWorstPlace::Place ToLocal(const MTWorstPlace::Place& x) const;
-  double ToLocal(double distance) const;
   void Search(const Cut& cut, MTStiffStudy::Level& found) const;
   std::int64_t CountFlipped(const Cut& cut) const;
 

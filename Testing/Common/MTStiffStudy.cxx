@@ -144,7 +144,10 @@ MTStiffStudy::Result MTStiffStudy::Run(vtkPolyData* input, const Settings& setti
   {
     result.LargestOwnError = std::max(result.LargestOwnError, graph.Nodes[n].OwnError);
   }
-  Verify(input, store, settings, result);
+  if (settings.IsVerified)
+  {
+    Verify(input, store, settings, result);
+  }
   result.IsSearched = result.InputTriangles <= settings.SearchTriangles;
   const MTStiffLevels levels(input, store, settings.Climbs, result.IsSearched);
   result.Diagonal = levels.GetDiagonal();
