@@ -70,7 +70,9 @@ void AddThin(std::vector<Case>& cases)
     { "WavedComb", "a comb of 20 thin teeth, waved", [](int n) { return WavedComb(n, std::max(4, n / 100)); }, 2000,
       4000, Limits().WithFlipped(0.8).WithIntersections(2000), 24, false, 4000 });
   cases.push_back(
-    { "ThinPlate", "a closed plate 1e-6 thick", [](int n) { return ThinPlate(n, 1e-6); }, 1280, 20000, {} });
+    { "ThinPlate", "a closed plate 1e-6 thick, flat", [](int n) { return ThinPlate(n, 1e-6, 0.0); }, 1280, 20000, {} });
+  cases.push_back({ "WavedPlate", "a closed plate 1e-6 thick, waved", [](int n) { return ThinPlate(n, 1e-6, 0.05); },
+    1280, 20000, {} });
   cases.push_back({ "ThinSheets", "two waved sheets 1e-6 apart", [](int n) { return ThinSheets(n, 1e-6); }, 1280, 20000,
     Limits().WithFlipped(0.7).WithIntersections(5000) });
   cases.push_back({ "Spikes", "spikes of up to thirty radii", Spikes, 1280, 20480,
@@ -110,7 +112,7 @@ void AddTopology(std::vector<Case>& cases)
   cases.push_back({ "Checkerboard", "squares corner to corner", Checkerboard, 1250, 20000, Limits().WithRoot(8) });
   cases.push_back({ "Moebius", "a Moebius strip", Moebius, 1280, 20000, {} });
   cases.push_back({ "Klein", "a Klein bottle", Klein, 1280, 20000, Limits().WithFlipped(0.5) });
-  cases.push_back({ "Barycentres", "triangles around one barycentre", Barycentres, 500, 4000,
+  cases.push_back({ "Barycentres", "triangles around one barycentre", Barycentres, 500, 1000,
     Limits().WithLostComponents(), 24, false, 8000 });
   cases.push_back({ "Pages", "triangles at one edge", Pages, 1000, 10000, Limits().WithRoot(7), 24, false, 80000 });
   cases.push_back(

@@ -50,7 +50,7 @@ struct Case
   Limits Limit;
   int LatticeBits = 24;
   bool IsFlat = false;      ///< its errors are zero, at every level
-  bool Grows = false;       ///< the report shows its build time against its size
+  int GrowTo = 0;           ///< the report shows its build time against its size, up to that one; 0: it does not
   const char* Refusal = ""; ///< the message with which it is refused; empty: it is built
 };
 

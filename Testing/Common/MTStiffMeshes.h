@@ -69,8 +69,8 @@ Mesh Needles(int triangles);
 /// Rows of teeth, thin in x, whose walls are rough or waved.
 Mesh RoughComb(int triangles, int teeth);
 Mesh WavedComb(int triangles, int teeth);
-/// A closed plate, and two sheets that are waved together, which lie that far apart.
-Mesh ThinPlate(int triangles, double thickness);
+/// A closed plate, and two sheets, which are waved and lie that far apart.
+Mesh ThinPlate(int triangles, double thickness, double waves);
 Mesh ThinSheets(int triangles, double distance);
 /// A sphere of which one vertex in twenty is pulled out, up to thirty radii.
 Mesh Spikes(int triangles);

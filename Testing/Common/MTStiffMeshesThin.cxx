@@ -81,10 +81,10 @@ Mesh WavedComb(int triangles, int teeth)
 }
 
 //------------------------------------------------------------------------------
-Mesh ThinPlate(int triangles, double thickness)
+Mesh ThinPlate(int triangles, double thickness, double waves)
 {
   const int side = GetSide(triangles / 2);
-  Parts parts = MakeSheets(side, thickness, 0.0);
+  Parts parts = MakeSheets(side, thickness, waves);
   const vtkIdType below = static_cast<vtkIdType>(side) * side;
   const auto addRim = [&](vtkIdType a, vtkIdType b)
   {

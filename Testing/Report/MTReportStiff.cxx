@@ -94,7 +94,7 @@ std::vector<Verdict> GetVerdicts(const Measured& measured)
   std::vector<Verdict> verdicts = MTStiffCases::GetVerdicts(*measured.Stiff, measured.Settings, measured.Result);
   if (!std::isnan(measured.Motion))
   {
-    verdicts.push_back({ "errors after a rigid motion, factor", measured.Motion, 2.0, MTStiffCases::NoLimit });
+    verdicts.push_back({ "errors after a rigid motion, factor", measured.Motion, 2.0, 2.0 });
   }
   return verdicts;
 }

@@ -116,7 +116,7 @@ TEST(StiffTopology, ComponentsEulerNumbersAndBordersAreThoseThatAreKnown)
   const Known meshes[] = { { "sphere", MTStiffMeshes::BumpySphere(1280), 1, 2, true },
     { "torus", MTTestMeshes::Torus(20, 10), 1, 0, true }, { "Klein bottle", MTStiffMeshes::Klein(1280), 1, 0, true },
     { "Moebius strip", MTStiffMeshes::Moebius(1280), 1, 0, false },
-    { "plate", MTStiffMeshes::ThinPlate(800, 0.1), 1, 2, true },
+    { "plate", MTStiffMeshes::ThinPlate(800, 0.1, 0.0), 1, 2, true },
     { "sheets", MTStiffMeshes::ThinSheets(800, 0.1), 2, 2, false },
     { "cylinder", MTStiffMeshes::Cylinder(800), 1, 0, false },
     { "sponge of one step", MTStiffMeshes::Sponge(100), 1, -8, true }, // genus 5
