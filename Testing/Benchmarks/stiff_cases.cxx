@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// stiff_cases [--triangles N] [--patch N] [--levels] [NAME...]: the figures of stiff and extreme cases
-// (MTStiffCases.h), of all of them or those named, at the report's sizes or at one that is given. A row for each case;
-// with --levels, one for each level as well.
+// stiff_cases [--triangles N] [--patch N] [--direct N] [--levels] [--build] [NAME...]: the figures of stiff and extreme
+// cases (MTStiffCases.h), of all of them or those named, at the report's sizes or at one that is given. A row for each
+// case; with --levels, one for each level as well; with --build models are built only.
 #include "MTStiffCases.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -31,7 +32,8 @@ void PrintLevels(const MTStiffStudy::Result& result)
 int main(int argc, char** argv)
 {
   int triangles = -1;
-  int patch = 250;
+  MTStiffStudy::Settings given;
+  given.PatchTriangles = 250;
   bool showsLevels = false;
   std::vector<std::string> names;
   for (int i = 1; i < argc; ++i)
@@ -40,9 +42,16 @@ int main(int argc, char** argv)
     {
       showsLevels = true;
     }
-    else if (i + 1 < argc && (!std::strcmp(argv[i], "--triangles") || !std::strcmp(argv[i], "--patch")))
+    else if (!std::strcmp(argv[i], "--build"))
     {
-      (argv[i][2] == 't' ? triangles : patch) = std::atoi(argv[i + 1]);
+      given.IsVerified = false;
+      given.SearchTriangles = 0;
+    }
+    else if (i + 1 < argc && !std::strncmp(argv[i], "--", 2))
+    {
+      (argv[i][2] == 't'      ? triangles
+          : argv[i][2] == 'p' ? given.PatchTriangles
+                              : given.DirectLevels) = std::atoi(argv[i + 1]);
       ++i;
     }
     else if (MTStiffCases::FindCase(argv[i]))
@@ -51,7 +60,8 @@ int main(int argc, char** argv)
     }
     else
     {
-      std::fprintf(stderr, "usage: stiff_cases [--triangles N] [--patch N] [--levels] [NAME...]\n");
+      std::fprintf(
+        stderr, "usage: stiff_cases [--triangles N] [--patch N] [--direct N] [--levels] [--build] [NAME...]\n");
       return 2;
     }
   }
@@ -61,8 +71,8 @@ int main(int argc, char** argv)
     {
       continue;
     }
-    MTStiffStudy::Settings settings = MTStiffCases::GetSettings(stiff);
-    settings.PatchTriangles = patch;
+    MTStiffStudy::Settings settings = given;
+    settings.LatticeBits = stiff.LatticeBits;
     const auto result = MTStiffStudy::Run(stiff.Make(triangles < 0 ? stiff.ReportTriangles : triangles), settings);
     std::printf("%s: %lld triangles, %.3f CPU s, coarsest %.3g of the diagonal off", stiff.Name,
       static_cast<long long>(result.InputTriangles), result.CpuSeconds, result.GetCoarsestShare());

@@ -72,7 +72,7 @@ void AddThin(std::vector<Case>& cases)
   cases.push_back(
     { "ThinPlate", "a closed plate 1e-6 thick, flat", [](int n) { return ThinPlate(n, 1e-6, 0.0); }, 1280, 20000, {} });
   cases.push_back({ "WavedPlate", "a closed plate 1e-6 thick, waved", [](int n) { return ThinPlate(n, 1e-6, 0.05); },
-    1280, 20000, {} });
+    1280, 20000, Limits().WithFlipped(0.6).WithIntersections(3500) });
   cases.push_back({ "ThinSheets", "two waved sheets 1e-6 apart", [](int n) { return ThinSheets(n, 1e-6); }, 1280, 20000,
     Limits().WithFlipped(0.7).WithIntersections(5000) });
   cases.push_back({ "Spikes", "spikes of up to thirty radii", Spikes, 1280, 20480,

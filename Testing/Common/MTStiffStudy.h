@@ -24,6 +24,7 @@ public:
   {
     int PatchTriangles = 64;
     int LatticeBits = 24;
+    int DirectLevels = 5; ///< see vtkMultiTriangulationBuilder
     bool IsVerified = true;
     int Samples = 2000; ///< of the verifier, on each surface
     int Cuts = 6;       ///< of the verifier

@@ -215,7 +215,7 @@ void AddScales(MTReportContext& context, MTReportSection& section)
 {
   context.Say("powers of two");
   MTReportTable table("stiff_scales", "Models of meshes that are scaled by powers of two, beside the model at scale 1",
-    { { "case", "" }, { "nodes", "" }, { "2^-1000", "" }, { "2^-100", "" }, { "2^128", "" }, { "2^900", "" } });
+    { { "case", "" }, { "nodes", "" }, { "2^-996", "" }, { "2^-100", "" }, { "2^128", "" }, { "2^900", "" } });
   int same = 0;
   int compared = 0;
   for (const char* name :
@@ -226,7 +226,7 @@ void AddScales(MTReportContext& context, MTReportSection& section)
     std::string error;
     MTStiffStudy::Build(input, {}, plain, error);
     std::vector<MTReportTable::Cell> row{ name, plain.GetGraph().Nodes.size() };
-    for (const int power : { -1000, -100, 128, 900 })
+    for (const int power : { -996, -100, 128, 900 })
     {
       const double scale = std::ldexp(1.0, power);
       vtkMTPatchStore scaled;
