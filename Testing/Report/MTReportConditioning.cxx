@@ -241,22 +241,80 @@ void AddRow(const std::string& mesh, const std::string& strategy, const Figures&
   row.emplace_back(figures.FullyShared);
   table.AddRow(row);
 }
+
+// What claims are judged by, over all DAGs.
+struct Worst
+{
+  double DepthOverLog = 0.0;
+  double DiameterRatio = std::numeric_limits<double>::infinity(); // mean over the levels, least
+  double Dragged = 0.0;                                           // mean, most
+  double BorderKept = 0.0;                                        // over three levels, most
+
+  void Add(const Figures& figures)
+  {
+    this->DepthOverLog = std::max(this->DepthOverLog, figures.Depth / figures.LogOfNodes);
+    this->DiameterRatio = std::min(this->DiameterRatio, GetMean(figures.DiameterRatios));
+    this->Dragged = std::max(this->Dragged, GetMean(figures.Dragged));
+    this->BorderKept = std::max(this->BorderKept, figures.BorderKept.size() > 2 ? figures.BorderKept[2] : 0.0);
+  }
+};
+
+void AddClaims(
+  const Worst& worst, std::uint32_t fullyShared, std::uint32_t fullySharedByOthers, MTReportSection& section)
+{
+  section.AddClaim("The depth is at most twice the logarithm of the number of nodes",
+    MTReportTable::Shorten(worst.DepthOverLog) + " times log2 of nodes, at the most", worst.DepthOverLog <= 2.0);
+  section.AddClaim("Diameters shrink geometrically: by a factor of 1.1 a level at least, in the mean",
+    MTReportTable::Shorten(worst.DiameterRatio) + " at the least", worst.DiameterRatio >= 1.1);
+  section.AddClaim("A refinement drags in fewer than three other ones, in the mean",
+    MTReportTable::Shorten(worst.Dragged) + " at the most", worst.Dragged < 3.0);
+  section.AddClaim("After three levels less than 2 % of the border edges are as they were",
+    MTReportTable::Shorten(100.0 * worst.BorderKept) + " % at the most", worst.BorderKept < 0.02);
+  section.AddClaim("By the default strategy no fragment shares its border with all the fragments of its floor",
+    std::to_string(fullyShared) + " nodes", fullyShared == 0);
+  section.AddKnownClaim("By no strategy does a fragment share its border with all the fragments of its floor",
+    std::to_string(fullyShared + fullySharedByOthers) + " nodes", fullyShared + fullySharedByOthers == 0,
+    "regions of regular partitions that hold few triangles may be the same ones on two levels");
+}
 }
 
 void MTReportConditioning(MTReportContext& context, MTReportSection& section)
 {
-  section.AddText("text");
+  section.AddText(
+    "BMT section 3.2 asks for a depth that is logarithmic in the number of nodes, diameters that shrink geometrically, "
+    "and regions that do not share their borders from level to level. Diameter ratios are of a level's median region "
+    "over the next finer one's; halving triangles gives 1.41, less where regions have come to span the model. Dragged "
+    "in: "
+    "how many more nodes have to be refined with one that is asked for, at random places from the coarsest cut to the "
+    "finest. Edges kept: of the edges of level 1 those that are unchanged so many levels later, first those between "
+    "two "
+    "regions, which were locked when that level was made, then all.");
   MTReportTable table = MakeTable();
+  MTReportChart kept("conditioning-borders", "Border edges that stay", { "levels later", false },
+    { "share of the border edges of level 1 [%]", false });
+  Worst worst;
+  std::uint32_t fullyShared = 0;
+  std::uint32_t fullySharedByOthers = 0;
+  const std::vector<MTReportStrategy>& strategies = MTReportGetStrategies();
   for (const MTReportMesh& mesh : context.GetMeshes())
   {
-    for (const MTReportStrategy& strategy : MTReportGetStrategies())
+    for (const MTReportStrategy& strategy : strategies)
     {
       context.Say(mesh.Name + ": " + strategy.Name);
-      const MTReportModel model(mesh.Data,
+      const MTReportModel model(mesh.Data, context.GetPatchTriangles(),
         [&strategy](vtkMultiTriangulationBuilder* builder) { builder->SetPartitionStrategy(strategy.Strategy); });
       const Figures figures = Examine(model);
       AddRow(mesh.Name, strategy.Name, figures, table);
+      worst.Add(figures);
+      fullyShared += &strategy == strategies.data() ? figures.FullyShared : 0;
+      fullySharedByOthers += &strategy == strategies.data() ? 0 : figures.FullyShared;
+      for (std::size_t i = 0; i < figures.BorderKept.size(); ++i)
+      {
+        kept.AddPoint(mesh.Name + ", " + strategy.Name, static_cast<double>(i + 1), 100.0 * figures.BorderKept[i]);
+      }
     }
   }
   section.AddTable(table);
+  section.AddChart(kept);
+  AddClaims(worst, fullyShared, fullySharedByOthers, section);
 }

@@ -18,12 +18,12 @@ const std::vector<MTReportMesh>& MTReportContext::GetMeshes()
 {
   if (this->Meshes.empty())
   {
-    const int triangles = this->Quick ? 81920 : 327680;
+    const int triangles = this->Quick ? 20480 : 81920;
     this->Meshes.push_back({ "fractal sphere", MTReportMeshes::MakeFractalSphere(triangles) });
-    this->Meshes.push_back({ "torus", MTReportMeshes::MakeTorus(this->Quick ? 25600 : 102400) });
+    this->Meshes.push_back({ "torus", MTReportMeshes::MakeTorus(this->Quick ? 14400 : 57600) });
     if (!this->Quick)
     {
-      this->Meshes.push_back({ "terrain", MTReportMeshes::MakeTerrain(180000) });
+      this->Meshes.push_back({ "terrain", MTReportMeshes::MakeTerrain(80000) });
     }
     for (const std::string& file : this->MeshFiles)
     {

@@ -29,9 +29,11 @@ public:
   /// Whether a few minutes must do: small meshes, few repeats.
   bool IsQuick() const { return this->Quick; }
   /// Of every time that is measured; an odd number.
-  int GetRepeats() const { return this->Quick ? 3 : 5; }
+  static constexpr int Repeats = 3;
+  /// Of a build, where nothing else is measured: small meshes shall have levels, too.
+  int GetPatchTriangles() const { return this->Quick ? 250 : 1000; }
   /// Of each surface, where distances are sampled.
-  std::size_t GetSamples() const { return this->Quick ? 60000 : 400000; }
+  std::size_t GetSamples() const { return this->Quick ? 40000 : 400000; }
 
   /// Generated ones, then those of the command line; read when they are first needed. Throws bmtError.
   const std::vector<MTReportMesh>& GetMeshes();

@@ -189,7 +189,7 @@ private:
       const Row row{ name, GetMilliseconds(frames.FrameSeconds, 0.5), GetMilliseconds(frames.FrameSeconds, 0.95) };
       table.AddRow(Join(row, GetDifferenceCells(frames.Differences)));
     };
-    constexpr double ManyFrames = 1000.0;
+    constexpr double ManyFrames = 1e6;
     vtkNew<vtkActor> plain;
     add("vtkPolyDataMapper, full resolution", this->Flight.FlyMesh(plain, 0.0));
     vtkNew<vtkQuadricLODActor> quadric;
@@ -223,7 +223,15 @@ void AddClaims(const Extremes& extremes, MTReportSection& section)
 
 void MTReportDrawing(MTReportContext& context, MTReportSection& section)
 {
-  section.AddText("text");
+  section.AddText(
+    "A flight from afar to the surface, along it and back. Every frame of a cut is compared with the picture of the "
+    "finest level in a vtkPolyDataMapper, over the pixels that show the model in either one: RMS and SSIM are means "
+    "over "
+    "the flight, largest is of all frames, above 8 and above 20 are shares of pixels that differ by more grey levels. "
+    "Popping is what the change of the cut alone does to the picture: the cut of the frame before and that of the "
+    "frame, seen from the same place. Outline: the farthest that a pixel which shows the model in one picture is from "
+    "one that does in the other. Drawing is by software here, so CPU time is what a frame costs. Models for "
+    "normal deviation are built with certified normals, whose distances are sums of steps and looser.");
   Extremes extremes;
   int number = 0;
   for (const MTReportMesh& mesh : context.GetMeshes())

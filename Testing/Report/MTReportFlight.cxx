@@ -18,8 +18,9 @@
 
 MTReportFlight::MTReportFlight(const MTReportContext& context, const MTReportMesh& mesh)
   : Size(context.IsQuick() ? std::array<int, 2>{ 480, 360 } : std::array<int, 2>{ 960, 720 })
-  , Model(mesh.Data)
-  , ModelWithNormals(mesh.Data, [](vtkMultiTriangulationBuilder* builder) { builder->CertifyNormalsOn(); })
+  , Model(mesh.Data, context.GetPatchTriangles())
+  , ModelWithNormals(mesh.Data, context.GetPatchTriangles(),
+      [](vtkMultiTriangulationBuilder* builder) { builder->CertifyNormalsOn(); })
   , Full(this->Model.CutByLevel(0).Mesh)
 {
   double bounds[6];

@@ -29,10 +29,11 @@ MTReportCut MakeCut(const vtkMTPatchSource& source, const vtkMTCut& cut)
 }
 }
 
-MTReportModel::MTReportModel(vtkPolyData* mesh, const Configure& configure)
+MTReportModel::MTReportModel(vtkPolyData* mesh, int patchTriangles, const Configure& configure)
 {
   vtkNew<vtkMultiTriangulationBuilder> builder;
   builder->SetInputData(mesh);
+  builder->SetPatchTriangles(patchTriangles);
   builder->SetNumberOfThreads(1);
   if (configure)
   {

@@ -23,9 +23,11 @@ class MTReportModel
 public:
   using Configure = std::function<void(vtkMultiTriangulationBuilder*)>;
 
-  /// Builds with default settings but one thread, which configure may change; what that takes is kept. Throws
-  /// std::runtime_error.
-  explicit MTReportModel(vtkPolyData* mesh, const Configure& configure = {});
+  static constexpr int DefaultPatchTriangles = 1000;
+
+  /// Builds with default settings but patches of so many triangles and one thread, all of which configure may change;
+  /// what that takes is kept. Throws std::runtime_error.
+  MTReportModel(vtkPolyData* mesh, int patchTriangles, const Configure& configure = {});
   ~MTReportModel();
 
   double GetCpuSeconds() const { return this->CpuSeconds; }

@@ -88,18 +88,19 @@ double MTReportPicture::GetSimilarity(const MTReportPicture& other) const
 double MTReportPicture::GetFarthest(const MTReportPicture& other) const
 {
   double farthest = 0.0;
-  for (int y = 0; y < this->Height; ++y)
+  // Near the picture's edge the nearest one may lie outside.
+  for (int y = FarthestOutline; y < this->Height - FarthestOutline; ++y)
   {
-    for (int x = 0; x < this->Width; ++x)
+    for (int x = FarthestOutline; x < this->Width - FarthestOutline; ++x)
     {
       if (!this->ShowsModel(x, y) || other.ShowsModel(x, y))
       {
         continue;
       }
       double nearest = FarthestOutline;
-      for (int j = std::max(y - FarthestOutline, 0); j <= std::min(y + FarthestOutline, this->Height - 1); ++j)
+      for (int j = y - FarthestOutline; j <= y + FarthestOutline; ++j)
       {
-        for (int i = std::max(x - FarthestOutline, 0); i <= std::min(x + FarthestOutline, this->Width - 1); ++i)
+        for (int i = x - FarthestOutline; i <= x + FarthestOutline; ++i)
         {
           const double distance = std::hypot(i - x, j - y);
           nearest = distance < nearest && other.ShowsModel(i, j) ? distance : nearest;

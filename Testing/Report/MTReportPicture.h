@@ -24,7 +24,7 @@ struct MTReportDifference
   /// pixels every four pixels: 1 where there is no difference.
   double Similarity = 1.0;
   /// Pixels: no pixel that shows the model in one picture is farther than this from one that does in the other. At most
-  /// MTReportPicture::FarthestOutline, which means that or more.
+  /// MTReportPicture::FarthestOutline, which means that or more; pixels nearer than that to the edge are left out.
   double Outline = 0.0;
 };
 

@@ -61,9 +61,9 @@ CutCost MeasureCut(const vtkMTGraph& graph, double distance)
   return cost;
 }
 
-// Far: the whole sphere, whose radius is about 1.3; near: a part of it.
-constexpr double FarView = 9.0;
-constexpr double NearView = 2.0;
+// Of a sphere whose radius is about 1.3: far, it is a tenth of the picture high, near, a bit more than half.
+constexpr double FarView = 50.0;
+constexpr double NearView = 9.0;
 
 struct Size
 {
@@ -92,8 +92,8 @@ Size MeasureSize(vtkPolyData* mesh, int threads, int repeats, std::vector<double
   {
     const MTReportMemory memory;
     const auto begin = std::chrono::steady_clock::now();
-    const MTReportModel model(
-      mesh, [threads](vtkMultiTriangulationBuilder* builder) { builder->SetNumberOfThreads(threads); });
+    const MTReportModel model(mesh, MTReportModel::DefaultPatchTriangles,
+      [threads](vtkMultiTriangulationBuilder* builder) { builder->SetNumberOfThreads(threads); });
     size.Wall.Add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     size.Cpu.Add(model.GetCpuSeconds());
     size.Memory = std::max(size.Memory, memory.GetPeak());
@@ -182,6 +182,14 @@ void ReportSizes(MTReportContext& context, MTReportSection& section)
 
 void MTReportScaling(MTReportContext& context, MTReportSection& section)
 {
-  section.AddText("text");
+  section.AddText(
+    "Builds of fractal spheres with default settings. CPU time is that of all threads, memory what the process holds "
+    "at "
+    "most beyond the input, as Linux counts it. All patches stay in memory here; bmt build works within a limit and "
+    "keeps "
+    "the rest in files. Cuts are found for a picture of 1920 x 1080 pixels, at one pixel of certified distance, "
+    "without "
+    "drawing them. A cut should cost what it shows and not what the model holds. Wall times depend on what else the "
+    "machine does.");
   ReportSizes(context, section);
 }

@@ -86,12 +86,20 @@ Mesh RunClustering(vtkPolyData* mesh, int divisions)
 template <class Filter>
 Work PrepareClustering(vtkPolyData* mesh, vtkIdType triangles)
 {
+  const auto hasMore = [=](int divisions)
+  { return RunClustering<Filter>(mesh, divisions)->GetNumberOfCells() > triangles; };
+  // In small steps: memory grows with the cube of the number.
+  int high = 2 + static_cast<int>(0.2 * std::sqrt(static_cast<double>(triangles)));
   int low = 1;
-  int high = 2048;
+  while (!hasMore(high) && high < 400)
+  {
+    low = high;
+    high += 1 + high / 4;
+  }
   while (high - low > 1)
   {
     const int middle = (low + high) / 2;
-    (RunClustering<Filter>(mesh, middle)->GetNumberOfCells() > triangles ? high : low) = middle;
+    (hasMore(middle) ? high : low) = middle;
   }
   const auto getGap = [&](int divisions)
   { return std::abs(RunClustering<Filter>(mesh, divisions)->GetNumberOfCells() - triangles); };
