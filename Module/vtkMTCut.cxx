@@ -154,6 +154,28 @@ std::vector<std::uint32_t> vtkMTCut::GetArcs() const
 }
 
 //------------------------------------------------------------------------------
+double vtkMTCut::GetDistanceToInput() const
+{
+  double distance = 0.0;
+  for (const std::uint32_t arc : this->GetArcs())
+  {
+    distance = std::max(distance, this->Graph->GetDistanceToInput(arc));
+  }
+  return distance;
+}
+
+//------------------------------------------------------------------------------
+double vtkMTCut::GetDistanceFromInput() const
+{
+  double distance = 0.0;
+  for (const std::uint32_t arc : this->GetArcs())
+  {
+    distance = std::max(distance, this->Graph->GetDistanceFromInput(arc));
+  }
+  return distance;
+}
+
+//------------------------------------------------------------------------------
 double vtkMTCut::GetError() const
 {
   double error = 0.0;

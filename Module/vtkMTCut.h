@@ -47,6 +47,12 @@ public:
   std::size_t GetNumberOfArcs() const { return this->ArcCount; }
   /// The largest saturated error of an arc in the cut: no input point is farther from the cut than this.
   double GetError() const;
+  ///@{
+  /// By the patches' own distances (vtkMTGraph::GetDistanceToInput), which are never above GetError: no point of the
+  /// cut is farther from the input, and no point of the input from the cut.
+  double GetDistanceToInput() const;
+  double GetDistanceFromInput() const;
+  ///@}
 
 private:
   const vtkMTGraph* Graph;

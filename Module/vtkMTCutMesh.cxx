@@ -7,6 +7,9 @@
 #include "vtkMTPatchSource.h"
 #include "vtkMTPlacement.h"
 
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 //------------------------------------------------------------------------------
@@ -47,6 +50,10 @@ bool vtkMTCutMesh::Make(const vtkMTPatchSource& source, vtkPolyData* output, std
   {
     this->Placement->Apply(output);
   }
+  if (this->GenerateDistances)
+  {
+    this->AddDistances(graph, output);
+  }
   if (wedgePoints)
   {
     wedgePoints->resize(mesh.GetNumberOfWedges());
@@ -56,4 +63,30 @@ bool vtkMTCutMesh::Make(const vtkMTPatchSource& source, vtkPolyData* output, std
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// The triangles of the arcs lie one after the other.
+void vtkMTCutMesh::AddDistances(const vtkMTGraph& graph, vtkPolyData* output) const
+{
+  vtkNew<vtkDoubleArray> toInput;
+  vtkNew<vtkDoubleArray> fromInput;
+  toInput->SetName(DistanceToInputName);
+  fromInput->SetName(DistanceFromInputName);
+  toInput->SetNumberOfValues(output->GetNumberOfPolys());
+  fromInput->SetNumberOfValues(output->GetNumberOfPolys());
+  const double stretch = this->Placement ? this->Placement->GetStretch() : 1.0;
+  vtkIdType cell = 0;
+  for (const std::uint32_t arc : this->Arcs)
+  {
+    const double to = graph.GetDistanceToInput(arc) * stretch;
+    const double from = graph.GetDistanceFromInput(arc) * stretch;
+    for (const vtkIdType end = cell + graph.Arcs[arc].Triangles; cell < end; ++cell)
+    {
+      toInput->SetValue(cell, to);
+      fromInput->SetValue(cell, from);
+    }
+  }
+  output->GetCellData()->AddArray(toInput);
+  output->GetCellData()->AddArray(fromInput);
 }

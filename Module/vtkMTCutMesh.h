@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class vtkMTGraph;
 class vtkMTPatchSource;
 class vtkPolyData;
 struct vtkMTPlacement;
@@ -24,7 +25,13 @@ struct VTKMTCORE_EXPORT vtkMTCutMesh
   std::vector<std::uint32_t> Arcs;
   const std::vector<unsigned char>* Arrays = nullptr; ///< one entry per array of the graph, 0 leaves it out; none: all
   const vtkMTPlacement* Placement = nullptr;          ///< where the mesh is to stand; none: where the patches do
-  std::function<bool(double)> Progress;               ///< takes a fraction; false stops
+  /// Whether the mesh has two arrays of cells more, DistanceToInputName and DistanceFromInputName: what is certified of
+  /// the patch that a triangle is of (vtkMTGraph::GetDistanceToInput), where the mesh stands.
+  bool GenerateDistances = false;
+  std::function<bool(double)> Progress; ///< takes a fraction; false stops
+
+  static constexpr const char* DistanceToInputName = "DistanceToInput";
+  static constexpr const char* DistanceFromInputName = "DistanceFromInput";
 
   /**
    * False, with the reason in error, when a patch cannot be read; error is empty where Progress stopped it.
@@ -33,6 +40,9 @@ struct VTKMTCORE_EXPORT vtkMTCutMesh
    */
   bool Make(const vtkMTPatchSource& source, vtkPolyData* output, std::string& error,
     std::vector<std::uint32_t>* wedgePoints = nullptr) const;
+
+private:
+  void AddDistances(const vtkMTGraph& graph, vtkPolyData* output) const;
 };
 
 #endif

@@ -211,6 +211,27 @@ std::uint32_t vtkMTGraph::GetNumberOfLevels() const
 }
 
 //------------------------------------------------------------------------------
+double vtkMTGraph::GetDistance(std::uint32_t arc, float steps) const
+{
+  const double error = this->Nodes[this->Arcs[arc].To].Error;
+  if (!(steps >= 0.0f))
+  {
+    return error;
+  }
+  const double distance =
+    steps > 0.0f ? std::nextafter(steps * this->Lattice.Step, std::numeric_limits<double>::infinity()) : 0.0;
+  return std::min(error, AddUp(distance, this->Lattice.MaximumShift));
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTGraph::HasArcDistances() const
+{
+  const std::uint32_t known = this->GetNumberOfKnownArcs();
+  return known > 0 &&
+    std::all_of(this->Arcs.begin(), this->Arcs.begin() + known, [](const vtkMTArc& arc) { return arc.HasDistances(); });
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t vtkMTGraph::GetNumberOfRootTriangles() const
 {
   std::uint64_t triangles = 0;

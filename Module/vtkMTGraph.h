@@ -9,7 +9,8 @@
  * that leave it carry the coarsest patches; the last node is the sink, the arcs that enter it carry the finest ones.
  * Every arc runs from a smaller to a larger node index, which is the proof that the graph has no cycle.
  *
- * The error of an arc's patch is that of the node which the arc enters. Every point of a fragment is within the node's
+ * The error of an arc's patch is that of the node which the arc enters; GetDistanceToInput and GetDistanceFromInput are
+ * the patch's own, which are never larger, and one for each direction. Every point of a fragment is within the node's
  * OwnError of the input's surface on the lattice, and the part of the input that the fragment stands for is no farther
  * from it. Errors are saturated: Error(n) is the largest of OwnError(n) with the lattice's rounding added, and of the
  * Error of the nodes that the arcs leaving n enter, so Error never grows along a path towards the sink. EdgeLength is
@@ -70,6 +71,16 @@ struct vtkMTArc
   std::array<float, 3> ConeAxis{ 0.0f, 0.0f, 1.0f };
   float ConeCosine = -1.0f;
   float MeanEdgeLength = 0.0f; ///< model units; the largest number there is where it is beyond single precision
+  ///@{
+  /// Certified for this patch alone, in steps of the lattice, against the input on the lattice: no point of the patch
+  /// is farther from the input than ToInput, and none of the points of the input that the patch stands for, which every
+  /// cut with this patch shows by it, is farther from the patch than FromInput. Unknown where the error of the node
+  /// that the arc enters is all that is known.
+  static constexpr float Unknown = -1.0f;
+  float ToInput = Unknown;
+  float FromInput = Unknown;
+  bool HasDistances() const { return this->ToInput >= 0.0f && this->FromInput >= 0.0f; }
+  ///@}
   vtkMTPatchKind Kind = vtkMTPatchKind::Triangles;
 
   /// Whether the arc is a mere dependency: there is nothing to read and nothing to draw, and its box is empty.
@@ -225,6 +236,15 @@ public:
   std::uint32_t GetNumberOfLevels() const;
   /// Whether the arc's patch is part of the finest level: it enters the sink, or refinement only adds.
   bool IsFinest(std::uint32_t arc) const { return this->Refinement == Add || this->Arcs[arc].To == this->GetSink(); }
+  ///@{
+  /// Of an arc's patch and the input, the lattice's rounding included, model units: no point of the patch is farther
+  /// from the input, and no point of that part of the input which the patch stands for is farther from the patch. So
+  /// no point of the input is farther from a cut than the largest GetDistanceFromInput of its arcs.
+  double GetDistanceToInput(std::uint32_t arc) const { return this->GetDistance(arc, this->Arcs[arc].ToInput); }
+  double GetDistanceFromInput(std::uint32_t arc) const { return this->GetDistance(arc, this->Arcs[arc].FromInput); }
+  /// Whether all arcs have distances of their own.
+  bool HasArcDistances() const;
+  ///@}
   std::uint32_t GetLevelOfArc(std::uint32_t arc) const { return this->Nodes[this->Arcs[arc].To].Level; }
   /// Triangles on the arcs that leave the source, and on those that enter the sink.
   std::uint64_t GetNumberOfRootTriangles() const;
@@ -295,6 +315,8 @@ private:
       return *this;
     }
   };
+  double GetDistance(std::uint32_t arc, float steps) const;
+
   KnownPrefix Known;
   vtkMTGraphFigures Figures;
 };

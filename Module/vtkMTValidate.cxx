@@ -216,8 +216,11 @@ void CheckSaturation(const vtkMTGraph& graph, Result& result)
     for (std::uint32_t a = 0; a < node.InCount; ++a)
     {
       const std::uint32_t index = graph.Entering[node.FirstIn + a];
-      Expect(result, "graph", sphere.Holds(graph.Arcs[index].Box), "the sphere of node ", i,
-        " does not hold the patch of arc ", index, " which enters it");
+      const vtkMTArc& arc = graph.Arcs[index];
+      Expect(result, "graph", sphere.Holds(arc.Box), "the sphere of node ", i, " does not hold the patch of arc ",
+        index, " which enters it");
+      Expect(result, "graph", std::max(arc.ToInput, arc.FromInput) * graph.Lattice.Step <= node.OwnError,
+        "the distances of arc ", index, " are larger than the error of node ", i, " which it enters");
     }
   }
 }

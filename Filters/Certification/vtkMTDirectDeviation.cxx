@@ -13,6 +13,9 @@ namespace
 {
 constexpr std::uint32_t None = vtkMTSurface::None;
 constexpr std::size_t Probes = 16; // triangles by which the largest true deviation is found
+// Balls to look at per triangle of both meshes: many times what surfaces need. Of meshes that are stretched a million
+// times every ball is near all others; sums stand then.
+constexpr std::size_t EffortPerTriangle = 64;
 using Ball = vtkMTBallGrid::Ball;
 using Deviations = vtkMTDirectDeviation::Deviations;
 using Range = vtkMTDirectDeviation::Range;
@@ -128,6 +131,7 @@ public:
     , FinerBalls(GetBalls(finer, this->Slack))
     , Budget(
         vtkMTDeviation::PiecesPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
+    , MostEffort(EffortPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
   {
     this->UpResult.LowerBound = aim.TrueDeviation;
     this->Up.Share = 1.0; // what is split anyway may as well have a bound that does not decide again
@@ -149,7 +153,7 @@ public:
       SortAbove(this->Known, range, &vtkMTTriangleDeviation::ToInput, std::max(least, this->GetLimit())))
     {
       float& known = this->Known[t].ToInput;
-      if (known <= this->GetLimit())
+      if (known <= this->GetLimit() || this->IsExhausted())
       {
         break;
       }
@@ -171,7 +175,7 @@ public:
     for (const std::uint32_t t : SortAbove(this->Known, range, &vtkMTTriangleDeviation::FromInput, this->GetLimit()))
     {
       const double known = this->Known[t].FromInput;
-      if (known <= std::max(this->GetLimit(), this->Sought.Kept))
+      if (known <= std::max(this->GetLimit(), this->Sought.Kept) || this->IsExhausted())
       {
         break;
       }
@@ -191,6 +195,7 @@ public:
   }
 
 private:
+  bool IsExhausted() const { return this->Effort > this->MostEffort; }
   double GetLimit() const { return std::max(this->Sought.Loose * this->UpResult.LowerBound, 2.0 * this->Slack); }
 
   // The finer triangles that are so near to t.
@@ -204,6 +209,7 @@ private:
     }
     const double known = GetLarger(this->Known[t]);
     this->FinerBalls.Find(GetBall(this->Fragment, t, known), this->Candidates);
+    this->Effort += this->Candidates.size();
     const auto isFar = [&, box = Box(this->Fragment, t)](std::uint32_t s)
     {
       const Ball& ball = this->FinerBalls.GetBall(s);
@@ -220,6 +226,7 @@ private:
   {
     vtkMTSurface::Hit nearest = guess;
     Ball here{ x, std::sqrt(nearest.Distance2) };
+    this->Effort += this->Candidates.size();
     for (const std::uint32_t s : this->Candidates)
     {
       if (vtkMTBallGrid::Touch(here, this->FinerBalls.GetBall(s)) &&
@@ -255,7 +262,7 @@ private:
     vtkMTSurface::Hit below = this->Fragment.Project(middle, t);
     this->Fragment.Descend(middle, below);
     this->BoundAgain(s, below.Triangle);
-    if (this->Down.GetBoundOfTriangle()[s] > this->GetLimit())
+    if (this->Down.GetBoundOfTriangle()[s] > this->GetLimit() && !this->IsExhausted())
     {
       this->Down.Forget(s, credited);
       const double reach = this->Finer.Known[s].FromInput + this->Slack;
@@ -282,6 +289,7 @@ private:
       this->FloorBalls.emplace(GetBalls(this->Floor, 0.0));
     }
     this->FloorBalls->Find(ball, this->NearFloor);
+    this->Effort += this->NearFloor.size();
     return std::any_of(this->NearFloor.begin(), this->NearFloor.end(),
       [&](std::uint32_t f)
       {
@@ -324,6 +332,8 @@ private:
   std::optional<vtkMTBallGrid> FloorBalls;
   std::vector<std::uint32_t> NearFloor;
   std::size_t Budget;
+  const std::size_t MostEffort;
+  mutable std::size_t Effort = 0; // balls that were looked at
 };
 }
 

@@ -14,6 +14,11 @@ namespace
 // A long triangle may cross thousands of others, and every one that is split off counts; the budget ends what does not.
 constexpr int MaximumDepth = 4096;
 
+// What is split off at a corner must be so much of the piece's diagonal; places on its sides are found to so much of
+// them.
+constexpr double LeastPart = 1.0 / 16.0;
+constexpr double LeastStep = 1.0 / 2048.0;
+
 // One triangle must not use up what the others need for a bound at all. Pieces that are split along triangles get
 // somewhere; where two sheets are closer than the largest distance of all, the bound by either may stay just above it
 // however small the halves are: after so many of them it will do, and a looser one the more there are.
@@ -43,85 +48,6 @@ vtkMTPieceBound::vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& t
   , BoundOfTriangle(from.GetNumberOfTriangles(), 0.0)
   , BoundOnTriangle(to.GetNumberOfTriangles(), 0.0)
 {
-}
-
-Vector vtkMTPieceBound::Piece::GetMiddle() const
-{
-  Vector sum{ 0.0, 0.0, 0.0 };
-  for (int i = 0; i < this->Count; ++i)
-  {
-    sum = Add(sum, this->Corners[i]);
-  }
-  return Scale(sum, 1.0 / this->Count);
-}
-
-// Splits a convex piece by the plane through `on` with normal `normal` into what lies on the normal's side and the
-// rest. False when the plane leaves it whole, but for slivers thinner than `thin` (then only one of the two has
-// corners).
-bool vtkMTPieceBound::Split(
-  const Piece& piece, const Vector& on, const Vector& normal, double thin, Piece& inside, Piece& outside)
-{
-  inside.Count = 0;
-  inside.Depth = piece.Depth + 1;
-  inside.Triangle = piece.Triangle;
-  outside = inside;
-  std::array<double, Piece::Capacity> side;
-  bool anyIn = false;
-  bool anyOut = false;
-  const double tolerance = thin * Norm(normal);
-  for (int i = 0; i < piece.Count; ++i)
-  {
-    side[i] = Dot(Subtract(piece.Corners[i], on), normal);
-    anyIn = anyIn || side[i] > tolerance;
-    anyOut = anyOut || side[i] < -tolerance;
-  }
-  if (!anyIn || !anyOut || piece.Count + 1 > Piece::Capacity)
-  {
-    (anyOut ? outside : inside) = piece;
-    return false;
-  }
-  for (int i = 0; i < piece.Count; ++i)
-  {
-    const int j = (i + 1) % piece.Count;
-    if (side[i] >= 0.0)
-    {
-      inside.Append(piece.Corners[i]);
-    }
-    if (side[i] <= 0.0)
-    {
-      outside.Append(piece.Corners[i]);
-    }
-    if ((side[i] > 0.0 && side[j] < 0.0) || (side[i] < 0.0 && side[j] > 0.0))
-    {
-      const Vector cut = Lerp(piece.Corners[i], piece.Corners[j], side[i] / (side[i] - side[j]));
-      inside.Append(cut);
-      outside.Append(cut);
-    }
-  }
-  return true;
-}
-
-// Across its longest side or diagonal.
-bool vtkMTPieceBound::Halve(const Piece& piece, double thin, Piece& one, Piece& other)
-{
-  double longest = 0.0;
-  int from = 0;
-  int to = 0;
-  for (int i = 0; i < piece.Count; ++i)
-  {
-    for (int j = i + 1; j < piece.Count; ++j)
-    {
-      const Vector d = Subtract(piece.Corners[j], piece.Corners[i]);
-      if (Dot(d, d) > longest)
-      {
-        longest = Dot(d, d);
-        from = i;
-        to = j;
-      }
-    }
-  }
-  const Vector direction = Subtract(piece.Corners[to], piece.Corners[from]);
-  return longest > 0.0 && Split(piece, Lerp(piece.Corners[from], piece.Corners[to], 0.5), direction, thin, one, other);
 }
 
 // Whether all corners of triangle t lie in the plane of triangle s, exactly: coordinates are integers below 2^33.
@@ -175,10 +101,11 @@ double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint
   return getTruth(hit);
 }
 
-bool vtkMTPieceBound::IsNearEnough(double bound, double trueHere) const
+// The largest bound that need not be improved.
+double vtkMTPieceBound::GetEnough(double trueHere) const
 {
-  return bound <= std::max({ GetShare(this->Halvings, this->Share) * this->Result.LowerBound,
-                    vtkMTDeviation::Looseness * trueHere, 2.0 * this->Slack });
+  return std::max({ GetShare(this->Halvings, this->Share) * this->Result.LowerBound,
+    vtkMTDeviation::Looseness * trueHere, 2.0 * this->Slack });
 }
 
 void vtkMTPieceBound::Credit(std::uint32_t from, std::uint32_t to, double bound)
@@ -303,14 +230,7 @@ bool vtkMTPieceBound::IsLeftOut(const Piece& piece) const
   {
     return false;
   }
-  const Vector middle = piece.GetMiddle();
-  double radius2 = 0.0;
-  for (int i = 0; i < piece.Count; ++i)
-  {
-    const Vector way = Subtract(piece.Corners[i], middle);
-    radius2 = std::max(radius2, Dot(way, way));
-  }
-  return this->IsElsewhere(middle, std::sqrt(radius2));
+  return this->IsElsewhere(piece.GetMiddle(), piece.GetRadius());
 }
 
 // What is known by the middle of a piece; nothing where it does not count.
@@ -349,7 +269,7 @@ void vtkMTPieceBound::BoundPiece(Entry& entry)
       return;
     }
   }
-  this->CutInHalves(entry);
+  this->Divide(entry);
 }
 
 // Splits the piece along the edges of the guessed triangle, seen along its normal. What lies outside an edge belongs to
@@ -370,7 +290,7 @@ bool vtkMTPieceBound::CutAlong(const Entry& entry)
     const Vector inward = Cross(normal, Subtract(this->To.GetCorner(entry.Guess, (e + 1) % 3), a));
     Piece inside;
     Piece outside;
-    if (Split(rest, a, inward, this->Slack, inside, outside))
+    if (rest.Split(a, inward, this->Slack, inside, outside))
     {
       this->Push(
         outside, entry.Best, GetTriangle(this->To.GetOpposite(3 * entry.Guess + static_cast<std::uint32_t>(e))));
@@ -400,26 +320,102 @@ void vtkMTPieceBound::Push(const Piece& shape, const Match& best, std::uint32_t 
   entry.IsNearest = false;
 }
 
-void vtkMTPieceBound::CutInHalves(const Entry& entry)
+// By what is near its corners, else in halves.
+void vtkMTPieceBound::Divide(Entry& entry)
 {
   double trueHere = 0.0;
+  std::array<double, Piece::Capacity> trueAt;
+  std::array<std::uint32_t, Piece::Capacity> nearest;
   for (int i = 0; i < entry.Shape.Count && !this->IsElsewhere; ++i)
   {
-    std::uint32_t guess = entry.Guess;
-    trueHere = std::max(trueHere, this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, guess));
+    nearest[i] = entry.Guess;
+    trueAt[i] = this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, nearest[i]);
+    trueHere = std::max(trueHere, trueAt[i]);
   }
-  ++this->Halvings;
-  Piece one;
-  Piece other;
   if (this->Accept(entry, trueHere))
   {
     return;
   }
-  if (Halve(entry.Shape, this->Slack, one, other))
+  if (!this->IsElsewhere)
+  {
+    const Piece::Diagonal longest = entry.Shape.GetDiagonal();
+    for (const int corner : { longest.From, longest.To })
+    {
+      if (this->SplitOffWithinReach(entry, corner, nearest[corner], this->GetEnough(trueAt[corner])))
+      {
+        return;
+      }
+    }
+  }
+  ++this->Halvings;
+  Piece one;
+  Piece other;
+  if (entry.Shape.Halve(this->Slack, one, other))
   {
     this->Push(one, entry.Best, entry.Guess);
     this->Push(other, entry.Best, entry.Guess);
     return;
   }
   this->CreditPiece(entry); // too small to be split
+}
+
+// Splits off what is near enough to the triangle nearest to a corner: distances to one triangle are convex, so that is
+// all between corners and places on the sides which are near enough. False where that is little of the piece.
+bool vtkMTPieceBound::SplitOffWithinReach(const Entry& entry, int corner, std::uint32_t nearest, double reach)
+{
+  const Piece& piece = entry.Shape;
+  const double distance = reach - this->Before[piece.Triangle] - this->After[nearest] - this->Slack;
+  const double distance2 = distance * distance;
+  const auto isWithin = [&](const Vector& x)
+  { return distance > 0.0 && this->To.GetDistance2(x, nearest, std::numeric_limits<double>::infinity()) <= distance2; };
+  if (!isWithin(piece.Corners[corner]))
+  {
+    return false;
+  }
+  const auto wrap = [&](int i) { return (i + piece.Count) % piece.Count; };
+  Piece::Chord chord{ corner, 1, {}, {} };
+  while (chord.Count < piece.Count && isWithin(piece.Corners[wrap(chord.First + chord.Count)]))
+  {
+    ++chord.Count;
+  }
+  while (chord.Count < piece.Count && isWithin(piece.Corners[wrap(chord.First - 1)]))
+  {
+    chord.First = wrap(chord.First - 1);
+    ++chord.Count;
+  }
+  if (chord.Count == piece.Count)
+  {
+    this->CreditBy(entry, piece, nearest);
+    return true;
+  }
+  const auto findLast = [&](int from, int to)
+  {
+    double last = 0.0;
+    for (double step = 0.5; step > LeastStep; step *= 0.5)
+    {
+      last += isWithin(Lerp(piece.Corners[from], piece.Corners[to], last + step)) ? step : 0.0;
+    }
+    return Lerp(piece.Corners[from], piece.Corners[to], last);
+  };
+  const int end = wrap(chord.First + chord.Count - 1);
+  chord.Before = findLast(chord.First, wrap(chord.First - 1));
+  chord.After = findLast(end, wrap(end + 1));
+  const Vector way = Subtract(Lerp(chord.Before, chord.After, 0.5), piece.Corners[corner]);
+  Piece part;
+  Piece rest;
+  if (Dot(way, way) < LeastPart * LeastPart * piece.GetDiagonal().Length2 || !piece.SplitOff(chord, part, rest))
+  {
+    return false;
+  }
+  this->CreditBy(entry, part, nearest);
+  this->Push(rest, entry.Best, nearest);
+  return true;
+}
+
+// A part of a piece, held against one triangle more.
+void vtkMTPieceBound::CreditBy(const Entry& whole, const Piece& part, std::uint32_t s)
+{
+  Entry entry{ part, whole.Best, s, false };
+  this->Improve(entry, s);
+  this->CreditPiece(entry);
 }

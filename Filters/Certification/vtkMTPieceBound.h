@@ -8,8 +8,9 @@
  * other mesh. A triangle is held against one triangle of the other mesh after the other, and where the least bound is
  * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into pieces
  * and these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along
- * that triangle's normal, so that pieces come to lie over one triangle each, else in halves. Pieces are split until
- * their bound is within Share of that lower bound (more after many halvings of one triangle) or within Looseness of
+ * that triangle's normal, so that pieces come to lie over one triangle each; else what is near enough to the triangle
+ * nearest to one of the corners is split off, however long or thin it is; else in halves. Pieces are split until their
+ * bound is within Share of that lower bound (more after many halvings of one triangle) or within Looseness of
  * their own, or the budget of pieces is used up; the result is then still an upper bound. Where a piece lies in the
  * plane of s, which is decided in exact integers, and over s, its distance is exactly zero.
  *
@@ -19,10 +20,10 @@
 #ifndef vtkMTPieceBound_h
 #define vtkMTPieceBound_h
 
+#include "vtkMTPiece.h"
 #include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -57,7 +58,7 @@ public:
   /// the lower bound, the nearest triangle, and raises the lower bound to what is true.
   double Visit(const Vector& x, std::uint32_t triangle, std::uint32_t& guess);
   /// Whether a bound need not be improved.
-  bool IsNearEnough(double bound, double trueHere = 0.0) const;
+  bool IsNearEnough(double bound, double trueHere = 0.0) const { return bound <= this->GetEnough(trueHere); }
   /// Notes that part of a triangle is within a bound, Before and After counted, of another one.
   void Credit(std::uint32_t from, std::uint32_t to, double bound);
   /// Distance of a convex shape inside triangle t from triangle s, from its largest corner distance: zero where both
@@ -88,32 +89,7 @@ public:
   ///@}
 
 private:
-  // A convex polygon inside one triangle. Splitting adds at most one corner to either part.
-  struct Piece
-  {
-    static constexpr int Capacity = 16;
-    std::array<Vector, Capacity> Corners;
-    int Count = 0;
-    int Depth = 0;
-    std::uint32_t Triangle = 0;
-
-    ///@{
-    /// Copies have the corners that there are.
-    Piece() = default;
-    Piece(const Piece& other) { *this = other; }
-    Piece& operator=(const Piece& other)
-    {
-      this->Count = other.Count;
-      this->Depth = other.Depth;
-      this->Triangle = other.Triangle;
-      std::copy_n(other.Corners.begin(), other.Count, this->Corners.begin());
-      return *this;
-    }
-    ///@}
-
-    void Append(const Vector& x) { this->Corners[this->Count++] = x; }
-    Vector GetMiddle() const;
-  };
+  using Piece = vtkMTPiece;
   // What a triangle of the other mesh gives for a piece.
   struct Match
   {
@@ -129,20 +105,20 @@ private:
     bool IsNearest;      // the guess is the triangle nearest to the piece's middle
   };
 
-  static bool Split(
-    const Piece& piece, const Vector& on, const Vector& normal, double thin, Piece& inside, Piece& outside);
-  static bool Halve(const Piece& piece, double thin, Piece& one, Piece& other);
+  double GetEnough(double trueHere) const;
   bool IsCoplanar(std::uint32_t t, std::uint32_t s) const;
   void Improve(Entry& entry, std::uint32_t s) const;
   bool Accept(const Entry& entry, double trueHere);
   bool IsLeftOut(const Piece& piece) const;
   double VisitMiddle(Entry& entry);
   void CreditPiece(const Entry& entry);
+  void CreditBy(const Entry& whole, const Piece& part, std::uint32_t s);
   void BoundPieces(const Entry& whole, std::size_t& budget);
   void BoundPiece(Entry& entry);
   bool CutAlong(const Entry& entry);
   void Push(const Piece& shape, const Match& best, std::uint32_t guess);
-  void CutInHalves(const Entry& entry);
+  void Divide(Entry& entry);
+  bool SplitOffWithinReach(const Entry& entry, int corner, std::uint32_t nearest, double reach);
 
   const vtkMTSurface& From;
   const vtkMTSurface& To;

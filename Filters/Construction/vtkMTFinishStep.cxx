@@ -51,7 +51,7 @@ bool vtkMTFinishStep::WriteRoots()
       return false;
     }
     if (!isEmpty &&
-      (!this->PreparePatch(std::move(mesh.Mesh), patch, this->Error) ||
+      (!this->PreparePatch(std::move(mesh), patch, this->Error) ||
         !this->WritePatch(std::move(patch), vtkMTSequenceState::None, this->State.NodeOfFragment[f], this->Error)))
     {
       return false;

@@ -83,11 +83,18 @@ bool vtkMTLevelStep::TakeFragment(
   return isEmpty || mesh.Decode(records[0], error);
 }
 
-bool vtkMTLevelStep::PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const
+bool vtkMTLevelStep::PreparePatch(vtkMTCertifiedMesh&& patch, PatchToWrite& result, std::string& error) const
 {
   const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-  result.Arc = vtkMTMakeArcRecord(patch, this->State.Graph.Lattice.Step);
-  result.Patch = this->Sink.Prepare(std::move(patch), error);
+  result.Arc = vtkMTMakeArcRecord(patch.Mesh, this->State.Graph.Lattice.Step);
+  result.Arc.ToInput = 0.0f;
+  result.Arc.FromInput = 0.0f;
+  for (const vtkMTTriangleDeviation& deviation : patch.Deviations)
+  {
+    result.Arc.ToInput = std::max(result.Arc.ToInput, deviation.ToInput);
+    result.Arc.FromInput = std::max(result.Arc.FromInput, deviation.FromInput);
+  }
+  result.Patch = this->Sink.Prepare(std::move(patch.Mesh), error);
   return result.Patch != nullptr;
 }
 

@@ -58,7 +58,7 @@ protected:
   ///@{
   /// By any thread: the fragment's mesh; what the sink makes of a patch. By one thread: the arc and its patch.
   bool TakeFragment(std::size_t fragment, vtkMTCertifiedMesh& mesh, bool& isEmpty, std::string& error) const;
-  bool PreparePatch(vtkMTPatch&& patch, PatchToWrite& result, std::string& error) const;
+  bool PreparePatch(vtkMTCertifiedMesh&& patch, PatchToWrite& result, std::string& error) const;
   bool WritePatch(PatchToWrite&& patch, std::uint32_t fromNode, std::uint32_t toNode, std::string& error);
   ///@}
 

@@ -50,7 +50,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
     /// Gives it near some triangles, relative to the origin that it is told.
     std::function<bool(const vtkMTDirectDeviation::Neighbourhood& near, std::size_t levelsBelow,
       const vtkMTPoint& origin, vtkMTDirectDeviation::FinerPart& part, std::string& error)>
-      CollectFiner;
+      CollectFiner{};
   };
 
   /// False on failure, with a message in error. floorPatches are consumed.

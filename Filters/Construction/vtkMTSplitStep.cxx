@@ -140,7 +140,7 @@ bool vtkMTSplitStep::SplitFragment(
       }
     }
     result.Patches.emplace_back();
-    if (!this->PreparePatch(std::move(patch.Mesh), result.Patches.back(), error))
+    if (!this->PreparePatch(std::move(patch), result.Patches.back(), error))
     {
       return false;
     }

@@ -21,6 +21,12 @@ double vtkMTPlacedGraph::GetError(std::uint32_t arc) const
 }
 
 //------------------------------------------------------------------------------
+double vtkMTPlacedGraph::GetDistanceToInput(std::uint32_t arc) const
+{
+  return this->Graph->GetDistanceToInput(arc) * this->Stretch;
+}
+
+//------------------------------------------------------------------------------
 void vtkMTPlacedGraph::GetBox(std::uint32_t arc, double box[6]) const
 {
   double own[6];

@@ -26,6 +26,8 @@ struct vtkMTPlacedGraph
 
   /// Of an arc's patch: no point of it is farther from the input.
   double GetError(std::uint32_t arc) const;
+  /// The same by what is known of the patch alone; never more.
+  double GetDistanceToInput(std::uint32_t arc) const;
   /// The box of an arc's patch.
   void GetBox(std::uint32_t arc, double box[6]) const;
   /// The box, grown by the error: what the patch stands for is inside.

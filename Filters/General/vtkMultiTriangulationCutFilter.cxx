@@ -72,7 +72,10 @@ void vtkMultiTriangulationCutFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutsideError: " << this->OutsideError << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
+  os << indent << "GenerateDistances: " << this->GenerateDistances << "\n";
   os << indent << "CutError: " << this->CutError << "\n";
+  os << indent << "DistanceToInput: " << this->DistanceToInput << "\n";
+  os << indent << "DistanceFromInput: " << this->DistanceFromInput << "\n";
   os << indent << "Exact: " << this->Exact << "\n";
   os << indent << "FinestLevel: " << this->FinestLevel << "\n";
   os << indent << "CoarsestLevel: " << this->CoarsestLevel << "\n";
@@ -395,7 +398,9 @@ void vtkMultiTriangulationCutFilter::Describe(const Model& model, const vtkMTCut
   this->Exact = this->CoarsestLevel == 0 &&
     std::any_of(graph.Arrays.begin(), graph.Arrays.end(),
       [](const vtkMTArrayInfo& array) { return array.Role == vtkMTArrayInfo::ExactPoints; });
-  this->CutError = this->Exact ? 0.0 : cut.GetError() * model.Placed.Stretch;
+  this->DistanceToInput = this->Exact ? 0.0 : cut.GetDistanceToInput() * model.Placed.Stretch;
+  this->DistanceFromInput = this->Exact ? 0.0 : cut.GetDistanceFromInput() * model.Placed.Stretch;
+  this->CutError = std::max(this->DistanceToInput, this->DistanceFromInput);
 }
 
 //------------------------------------------------------------------------------
@@ -409,7 +414,7 @@ int vtkMultiTriangulationCutFilter::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ErrorMessage.clear();
   this->NumberOfTriangles = this->NumberOfPatches = 0;
-  this->CutError = 0.0;
+  this->CutError = this->DistanceToInput = this->DistanceFromInput = 0.0;
   this->Exact = false;
   this->FinestLevel = this->CoarsestLevel = 0;
   const std::shared_ptr<const vtkMTPatchSource> source = input ? input->GetSource() : nullptr;
@@ -434,6 +439,7 @@ int vtkMultiTriangulationCutFilter::RequestData(
   const std::vector<unsigned char> arrays =
     vtkMTArraySelection::Choose(model.Placed.Graph->Arrays, this->Selections[0], this->Selections[1]);
   mesh.Arrays = &arrays;
+  mesh.GenerateDistances = this->GenerateDistances;
   mesh.Progress = [this](double fraction)
   {
     this->UpdateProgress(fraction);

@@ -153,12 +153,27 @@ public:
 
   ///@{
   /**
-   * Figures of the cut that the output is; 0 when there is none. CutError: the largest certified distance of cut and
-   * input, in the units of the input object; 0 where the cut is the input's own coordinates (Exact), bit for bit.
+   * Whether the output has two arrays of cells more, DistanceToInput and DistanceFromInput: what is certified of the
+   * patch that a triangle is of, in the units of the input object. No point of the patch is farther from the input than
+   * the first one, and no point of that part of the input which the patch stands for is farther from the patch than the
+   * second one. Default off.
+   */
+  vtkSetMacro(GenerateDistances, bool);
+  vtkGetMacro(GenerateDistances, bool);
+  vtkBooleanMacro(GenerateDistances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Figures of the cut that the output is; 0 when there is none. In the units of the input object: no point of the cut
+   * is farther from the input than DistanceToInput, none of the input farther from the cut than DistanceFromInput;
+   * CutError is the larger one. They are 0 where the cut is the input's own coordinates (Exact), bit for bit.
    */
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   vtkGetMacro(NumberOfPatches, vtkIdType);
   vtkGetMacro(CutError, double);
+  vtkGetMacro(DistanceToInput, double);
+  vtkGetMacro(DistanceFromInput, double);
   vtkGetMacro(Exact, bool);
   vtkGetMacro(FinestLevel, int);
   vtkGetMacro(CoarsestLevel, int);
@@ -206,7 +221,10 @@ private:
 
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberOfPatches = 0;
+  bool GenerateDistances = false;
   double CutError = 0.0;
+  double DistanceToInput = 0.0;
+  double DistanceFromInput = 0.0;
   bool Exact = false;
   int FinestLevel = 0;
   int CoarsestLevel = 0;

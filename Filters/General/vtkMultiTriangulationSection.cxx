@@ -60,6 +60,17 @@ std::vector<std::uint32_t> FindArcs(const vtkMTPlacedGraph& placed, vtkImplicitF
   arcs.erase(std::remove_if(arcs.begin(), arcs.end(), isMissed), arcs.end());
   return arcs;
 }
+
+//------------------------------------------------------------------------------
+double GetLargestDistance(const vtkMTPlacedGraph& placed, const std::vector<std::uint32_t>& arcs)
+{
+  double largest = 0.0;
+  for (const std::uint32_t arc : arcs)
+  {
+    largest = std::max(largest, placed.GetDistanceToInput(arc));
+  }
+  return largest;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -80,6 +91,7 @@ void vtkMultiTriangulationSection::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ImplicitFunction: " << this->ImplicitFunction.Get() << "\n";
   os << indent << "Error: " << this->Error << "\n";
+  os << indent << "GenerateDistances: " << this->GenerateDistances << "\n";
   os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
   os << indent << "SectionError: " << this->SectionError << "\n";
 }
@@ -195,6 +207,7 @@ int vtkMultiTriangulationSection::RequestData(
   const std::vector<unsigned char> arrays =
     vtkMTArraySelection::Choose(placed.Graph->Arrays, this->Selections[0], this->Selections[1]);
   patches.Arrays = &arrays;
+  patches.GenerateDistances = this->GenerateDistances;
   patches.Progress = [&](double fraction) { return progress(ReadingShare * fraction); };
   vtkNew<vtkPolyData> mesh;
   std::string error;
@@ -213,10 +226,7 @@ int vtkMultiTriangulationSection::RequestData(
     return 1; // what the user asked for is no error
   }
   this->NumberOfPatches = static_cast<vtkIdType>(patches.Arcs.size());
-  for (const std::uint32_t arc : patches.Arcs)
-  {
-    this->SectionError = std::max(this->SectionError, placed.GetError(arc));
-  }
+  this->SectionError = GetLargestDistance(placed, patches.Arcs);
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -71,7 +71,19 @@ public:
   ///@}
 
   ///@{
-  /// Of the last section: patches that were read, and the largest certified distance to the input among them.
+  /**
+   * Whether the output has two arrays of cells more, DistanceToInput and DistanceFromInput: what is certified of the
+   * patch that a line lies in, in the units of the input object. No point of the patch is farther from the input than
+   * the first one, and no point of that part of the input which the patch stands for is farther from the patch than the
+   * second one. Default off.
+   */
+  vtkSetMacro(GenerateDistances, bool);
+  vtkGetMacro(GenerateDistances, bool);
+  vtkBooleanMacro(GenerateDistances, bool);
+  ///@}
+
+  ///@{
+  /// Of the last section: patches that were read, and their largest certified distance to the input.
   vtkGetMacro(NumberOfPatches, vtkIdType);
   vtkGetMacro(SectionError, double);
   ///@}
@@ -96,6 +108,7 @@ private:
 
   vtkSmartPointer<vtkImplicitFunction> ImplicitFunction;
   double Error = 0.0;
+  bool GenerateDistances = false;
   vtkSmartPointer<vtkDataArraySelection> Selections[2];
   vtkIdType NumberOfPatches = 0;
   double SectionError = 0.0;

@@ -7,6 +7,7 @@
 #include "vtkMTSurfaceSampler.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
@@ -28,14 +29,14 @@ vtkMTSampledSurface LeaveOutFar(const vtkMTGraph& graph, vtkMTSampledSurface inp
   return input;
 }
 
-double GetLargestError(const vtkMTGraph& graph, const std::vector<std::uint32_t>& arcs)
+double GetLargestFromInput(const vtkMTGraph& graph, const std::vector<std::uint32_t>& arcs)
 {
-  double error = 0.0;
+  double distance = 0.0;
   for (std::uint32_t arc : arcs)
   {
-    error = std::max(error, graph.Nodes[graph.Arcs[arc].To].Error);
+    distance = std::max(distance, graph.GetDistanceFromInput(arc));
   }
-  return error;
+  return distance;
 }
 
 std::string Describe(const vtkMTRealPoint& x, const std::string& where)
@@ -108,8 +109,8 @@ bool vtkMTErrorSampling::ReadCut(const std::vector<std::uint32_t>& arcs, const v
       return false;
     }
     cut.Surface.Append(patch, graph.Lattice, this->Frame);
-    cut.PointNodes.resize(cut.Surface.Points.size(), graph.Arcs[arc].To);
-    cut.TriangleNodes.resize(cut.Surface.Triangles.size(), graph.Arcs[arc].To);
+    cut.PointArcs.resize(cut.Surface.Points.size(), arc);
+    cut.TriangleArcs.resize(cut.Surface.Triangles.size(), arc);
   }
   return true;
 }
@@ -149,29 +150,49 @@ bool vtkMTErrorSampling::TestPatches(
     }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      const std::uint32_t node = owner[triangles ? (*triangles)[i] : i];
+      const std::uint32_t arc = owner[triangles ? (*triangles)[i] : i];
       const double distance = this->Frame.ToModel(distances[i]);
-      this->CountNode(node, distance);
-      const double error = graph.Nodes[node].Error + this->Frame.ToModel(this->LargestSlack);
+      this->CountNode(graph.Arcs[arc].To, distance);
+      const double error = graph.GetDistanceToInput(arc) + this->Frame.ToModel(this->LargestSlack);
       const bool isGood = distance <= error + this->GetTolerance();
       this->Compare(this->PatchToInput, distance, error,
         isGood ? std::string()
-               : Describe(this->Frame.ToModelPoint(points[i]), "node " + std::to_string(node) + ", " + name));
+               : Describe(this->Frame.ToModelPoint(points[i]), "patch " + std::to_string(arc) + ", " + name));
     }
     return true;
   };
-  if (!test(cut.Surface.Points, cut.PointNodes, nullptr, 0.0))
+  if (!test(cut.Surface.Points, cut.PointArcs, nullptr, 0.0))
   {
     return false;
   }
   const vtkMTSurfaceSampler::Samples samples =
     vtkMTSurfaceSampler(cut.Surface, this->Samples, this->Seed + level + 1).Take(0, this->Samples);
-  return test(samples.Points, cut.TriangleNodes, &samples.Triangles, 0.5);
+  return test(samples.Points, cut.TriangleArcs, &samples.Triangles, 0.5);
 }
 
-bool vtkMTErrorSampling::TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes,
-  const vtkMTVerificationProgress& progress)
+// Whether one of the patches within whose own distance a point is stands for it.
+bool vtkMTErrorSampling::IsStoodFor(const CutSurface& cut, const vtkMTClosestPoint& search, const vtkMTRealPoint& point,
+  double radius, double allowance) const
 {
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  bool isStoodFor = false;
+  search.VisitWithin(point, radius * this->Frame.Scale,
+    [&](std::uint32_t triangle)
+    {
+      const vtkMTTriangle& t = cut.Surface.Triangles[triangle];
+      const std::vector<vtkMTRealPoint>& x = cut.Surface.Points;
+      const double distance = std::sqrt(vtkMTClosestPoint::GetDistance2(point, x[t[0]], x[t[1]], x[t[2]]));
+      isStoodFor = this->Frame.ToModel(distance) <= graph.GetDistanceFromInput(cut.TriangleArcs[triangle]) + allowance;
+      return !isStoodFor;
+    });
+  return isStoodFor;
+}
+
+bool vtkMTErrorSampling::TestInput(const CutSurface& cut, const std::vector<std::uint32_t>& arcs,
+  const std::string& name, bool countNodes, const vtkMTVerificationProgress& progress)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const double error = GetLargestFromInput(graph, arcs);
   const vtkMTClosestPoint search(cut.Surface);
   std::vector<double> distances;
   std::vector<std::uint32_t> nearest;
@@ -185,12 +206,20 @@ bool vtkMTErrorSampling::TestInput(const CutSurface& cut, double error, const st
     const double distance = this->Frame.ToModel(distances[i]);
     if (countNodes && nearest[i] != vtkMTClosestPoint::NoTriangle)
     {
-      this->CountNode(cut.TriangleNodes[nearest[i]], distance);
+      this->CountNode(graph.Arcs[cut.TriangleArcs[nearest[i]]].To, distance);
     }
     const double slack = this->InputSlack.empty() ? 0.0 : this->Frame.ToModel(this->InputSlack[i]);
-    const bool isGood = distance <= error + slack + this->GetTolerance();
+    const double allowance = slack + this->GetTolerance();
+    const bool isGood = distance <= error + allowance;
     this->Compare(this->InputToCut, distance, error + slack,
       isGood ? std::string() : Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name));
+    if (isGood && nearest[i] != vtkMTClosestPoint::NoTriangle &&
+      distance > graph.GetDistanceFromInput(cut.TriangleArcs[nearest[i]]) + allowance &&
+      !this->IsStoodFor(cut, search, this->InputPoints[i], error + allowance, allowance))
+    {
+      this->InputToCut.Fail(Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name) +
+        ": no patch is within its own distance of the input");
+    }
   }
   ++this->Cuts;
   return true;
@@ -204,7 +233,7 @@ bool vtkMTErrorSampling::TestLevel(std::uint32_t level, const vtkMTVerificationP
   const auto firstHalf = [&](const std::string& step, double share) { return progress(step, 0.5 * share); };
   const auto secondHalf = [&](const std::string& step, double share) { return progress(step, 0.5 + 0.5 * share); };
   return this->ReadCut(arcs, firstHalf, cut, error) && this->TestPatches(cut, level, firstHalf) &&
-    this->TestInput(cut, GetLargestError(graph, arcs), "the cut of level " + std::to_string(level), true, secondHalf);
+    this->TestInput(cut, arcs, "the cut of level " + std::to_string(level), true, secondHalf);
 }
 
 bool vtkMTErrorSampling::TestCut(
@@ -212,8 +241,7 @@ bool vtkMTErrorSampling::TestCut(
 {
   const std::vector<std::uint32_t> arcs = cut.GetArcs();
   CutSurface surface;
-  return this->ReadCut(arcs, progress, surface, error) &&
-    this->TestInput(surface, GetLargestError(this->Source.GetGraph(), arcs), name, false, progress);
+  return this->ReadCut(arcs, progress, surface, error) && this->TestInput(surface, arcs, name, false, progress);
 }
 
 std::map<std::uint32_t, vtkMTErrorSampling::Tightness> vtkMTErrorSampling::GetTightness() const

@@ -3,10 +3,12 @@
  * @class vtkMTErrorSampling
  * @brief tests a model's certified errors against the input by sampling
  *
- * (a) Every point of a patch is within the patch's error of the input surface: tested for all vertices and for
+ * (a) Every point of a patch is within the patch's own distance of the input surface: tested for all vertices and for
  * area-weighted samples of the patches of every level. (b) Every point of the input is no farther from a cut than the
- * largest error in that cut: tested for all vertices and for area-weighted samples of the input, against the coarsest
- * cut, one cut for every level, and random ones.
+ * largest distance of its patches for that direction: tested for all vertices and for area-weighted samples of the
+ * input, against the coarsest cut, one cut for every level, and random ones; and where a point is farther from the
+ * nearest patch than that one's own distance, there must be another patch within whose distance it is, which stands for
+ * it. Where a model has no distances of its patches the errors of their nodes take their place.
  *
  * Independent of the builder: own sampling, own closest point search, own reading of errors from the graph. Input
  * triangles that are no surface (a corner that is not finite, an index out of range, two corners at one place) are
@@ -77,14 +79,16 @@ private:
   struct CutSurface
   {
     vtkMTSampledSurface Surface;
-    std::vector<std::uint32_t> TriangleNodes; // the node whose error counts, per triangle
-    std::vector<std::uint32_t> PointNodes;
+    std::vector<std::uint32_t> TriangleArcs; // per triangle
+    std::vector<std::uint32_t> PointArcs;
   };
   bool ReadCut(const std::vector<std::uint32_t>& arcs, const vtkMTVerificationProgress& progress, CutSurface& cut,
     std::string& error) const;
   bool TestPatches(const CutSurface& cut, std::uint32_t level, const vtkMTVerificationProgress& progress);
-  bool TestInput(const CutSurface& cut, double error, const std::string& name, bool countNodes,
-    const vtkMTVerificationProgress& progress);
+  bool TestInput(const CutSurface& cut, const std::vector<std::uint32_t>& arcs, const std::string& name,
+    bool countNodes, const vtkMTVerificationProgress& progress);
+  bool IsStoodFor(const CutSurface& cut, const vtkMTClosestPoint& search, const vtkMTRealPoint& point, double radius,
+    double allowance) const;
   void Compare(vtkMTVerificationCheck& check, double distance, double error, const std::string& where);
   void CountNode(std::uint32_t node, double distance);
 

@@ -90,8 +90,8 @@ private:
 vtkMTFileBlocks MakeTable(const vtkMTGraph& graph, const vtkMTFileDag::Contents& contents, std::uint64_t metadataSize)
 {
   vtkMTFileBlocks blocks;
-  const auto add = [&blocks](BlockType type, std::uint64_t size) {
-    blocks.Table.push_back({ type, MustBeKnown, 0, size });
+  const auto add = [&blocks](BlockType type, std::uint64_t size, std::uint32_t flags = MustBeKnown) {
+    blocks.Table.push_back({ type, flags, 0, size });
   };
   add(PageBlock, 0);
   add(MetadataBlock, metadataSize);
@@ -106,6 +106,10 @@ vtkMTFileBlocks MakeTable(const vtkMTGraph& graph, const vtkMTFileDag::Contents&
   if (!contents.ArcRanges.Columns.empty())
   {
     add(RangeBlock, contents.ArcRanges.Values.size() * 2 * sizeof(double));
+  }
+  if (graph.HasArcDistances())
+  {
+    add(DistanceBlock, graph.Arcs.size() * 2 * sizeof(float), 0);
   }
   blocks.Place();
   return blocks;
@@ -160,6 +164,12 @@ void PutRecords(const vtkMTGraph& graph, const vtkMTFileDag::Contents& contents,
   for (const SectionRecord& section : contents.Sections)
   {
     sections.Put(section);
+  }
+  RecordWriter distances(bytes, blocks.Get(DistanceBlock));
+  for (std::size_t arc = 0; arc < graph.Arcs.size() && blocks.Get(DistanceBlock).Size > 0; ++arc)
+  {
+    distances.Put(graph.Arcs[arc].ToInput);
+    distances.Put(graph.Arcs[arc].FromInput);
   }
   RecordWriter ranges(bytes, blocks.Get(RangeBlock));
   for (const vtkMTRange& range : contents.ArcRanges.Values)

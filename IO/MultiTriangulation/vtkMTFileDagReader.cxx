@@ -94,18 +94,20 @@ bool vtkMTFileDagReader::MakeTables(std::string& error)
   set(this->Sections, SectionBlock, sizeof(SectionRecord));
   set(this->Measures, MeasureBlock, std::max<std::size_t>(measures, 1) * sizeof(double));
   set(this->Ranges, RangeBlock, std::max<std::size_t>(columns, 1) * sizeof(double) * 2);
+  set(this->Distances, DistanceBlock, sizeof(float) * 2);
   const std::uint64_t nodes = this->Nodes.GetNumberOfRecords();
   const std::uint64_t arcs = this->Arcs.GetNumberOfRecords();
   const std::uint64_t sections = this->Sections.GetNumberOfRecords();
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max() - 1;
   const Column* const all[] = { &this->Nodes, &this->Arcs, &this->Entering, &this->Sections, &this->Measures,
-    &this->Ranges };
+    &this->Ranges, &this->Distances };
   const bool whole =
     std::all_of(std::begin(all), std::end(all), [](const Column* c) { return c->Block.Size % c->RecordSize == 0; });
   if (!whole || nodes > most || arcs > most || sections > most || this->Entering.GetNumberOfRecords() != arcs ||
     this->Measures.GetNumberOfRecords() != (measures > 0 ? nodes : 0) ||
-    this->Ranges.GetNumberOfRecords() != (columns > 0 ? arcs : 0) || this->Graph.Blobs.size() > sections ||
-    (nodes == 0 && arcs > 0))
+    this->Ranges.GetNumberOfRecords() != (columns > 0 ? arcs : 0) ||
+    (this->Distances.GetNumberOfRecords() != 0 && this->Distances.GetNumberOfRecords() != arcs) ||
+    this->Graph.Blobs.size() > sections || (nodes == 0 && arcs > 0))
   {
     error = "its header is impossible: the sizes of its blocks do not belong together";
     return false;
@@ -209,6 +211,10 @@ bool vtkMTFileDagReader::TakeRecord(
   {
     return this->TakeRange(index, data, error);
   }
+  if (&column == &this->Distances)
+  {
+    return this->TakeDistances(index, data, error);
+  }
   bool good = true;
   for (std::size_t m = 0; m < this->Graph.Measures.size(); ++m)
   {
@@ -261,11 +267,26 @@ bool vtkMTFileDagReader::TakeArc(std::uint64_t index, const unsigned char* data,
       ", which this program does not know";
     return false;
   }
-  this->Graph.Arcs[index] = vtkMTFileRecords::FromRecord(record);
+  vtkMTArc& arc = this->Graph.Arcs[index];
+  const std::array<float, 2> distances{ arc.ToInput, arc.FromInput }; // they may have come before
+  arc = vtkMTFileRecords::FromRecord(record);
+  arc.ToInput = distances[0];
+  arc.FromInput = distances[1];
   this->Tables.Patches[index] = { record.Offset, record.FirstSection, record.SectionCount };
   const bool good = record.Flags == 0 && record.Reserved[0] == 0 && record.Reserved[1] == 0 &&
     record.Reserved[2] == 0 && vtkMTFileDag::CheckArc(this->Graph.Arcs[index], this->Graph.Nodes.size());
   error = good ? error : "arc " + std::to_string(index) + " is impossible";
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMTFileDagReader::TakeDistances(std::uint64_t index, const unsigned char* data, std::string& error)
+{
+  vtkMTArc& arc = this->Graph.Arcs[index];
+  arc.ToInput = Get<float>(data);
+  arc.FromInput = Get<float>(data + sizeof(float));
+  const bool good = vtkMTFileDag::CheckMeasure(arc.ToInput) && vtkMTFileDag::CheckMeasure(arc.FromInput);
+  error = good ? error : "arc " + std::to_string(index) + " has an impossible distance";
   return good;
 }
 

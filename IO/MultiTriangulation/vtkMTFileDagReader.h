@@ -4,10 +4,10 @@
  *
  * Nodes, arcs, entering table and sections lie in the file from coarse to fine, each in a block of its own. The reader
  * goes from node to node: what it needs to know of one (its record and the next one's, its arcs, the nodes that these
- * enter, the entries of the table, the sections of the arcs' patches, measures and ranges) it reads from the blocks
- * page by page, and so a few pages of each block suffice for the coarse part. A node is known when all of that has been
- * found right; then no check needs to be repeated. The sink's record, which every node refers to that has finest
- * patches, is read first.
+ * enter, the entries of the table, the sections of the arcs' patches, measures, ranges and distances) it reads from the
+ * blocks page by page, and so a few pages of each block suffice for the coarse part. A node is known when all of that
+ * has been found right; then no check needs to be repeated. The sink's record, which every node refers to that has
+ * finest patches, is read first.
  *
  * Threads: one at a time. Others may look at the known part of the graph and of the tables meanwhile.
  */
@@ -68,6 +68,7 @@ private:
   bool TakeRecord(const Column& column, std::uint64_t index, const unsigned char* data, std::string& error);
   bool TakeNode(std::uint64_t index, const unsigned char* data, std::string& error);
   bool TakeArc(std::uint64_t index, const unsigned char* data, std::string& error);
+  bool TakeDistances(std::uint64_t index, const unsigned char* data, std::string& error);
   bool TakeRange(std::uint64_t index, const unsigned char* data, std::string& error);
 
   StepType Advance(std::string& error);
@@ -90,6 +91,7 @@ private:
   Column Sections;
   Column Measures;
   Column Ranges;
+  Column Distances;
   Column* Missing = nullptr;        // the block for which Advance waits
   std::vector<std::uint32_t> Enter; // arcs that enter each node, as far as they leave known nodes
   vtkMTGraphFigures Figures;        // of the known arcs

@@ -43,6 +43,10 @@ vtkMTFileDagReader::Column* vtkMTFileDagReader::FindMissing(std::uint64_t endOfA
   {
     return &this->Measures;
   }
+  if (this->Distances.Known < std::min(endOfArcs, this->Distances.GetNumberOfRecords()))
+  {
+    return &this->Distances;
+  }
   return this->Ranges.Known < std::min(endOfArcs, this->Ranges.GetNumberOfRecords()) ? &this->Ranges : nullptr;
 }
 

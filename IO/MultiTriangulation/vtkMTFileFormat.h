@@ -37,9 +37,10 @@ enum BlockType : std::uint32_t
   EnteringBlock = 5, // u32 arc indices, by the node that the arcs enter
   SectionBlock = 6,
   MeasureBlock = 7, // f64 for each node and measure
-  RangeBlock = 8    // two f64 for each arc and column
+  RangeBlock = 8,   // two f64 for each arc and column
+  DistanceBlock = 9 // two f32 for each arc
 };
-constexpr std::uint32_t NumberOfBlockTypes = 9; // counting 0, which is none
+constexpr std::uint32_t NumberOfBlockTypes = 10; // counting 0, which is none
 
 // Of blocks and of sections: a reader that does not know the type or class must refuse the file or the patch.
 constexpr std::uint32_t MustBeKnown = 1;

@@ -61,6 +61,7 @@ def cut(
     region: vtkImplicitFunction | Sequence[float] | None = None,
     outside_error: float | None = None,
     arrays: Iterable[str] | None = None,
+    distances: bool = False,
 ) -> Cut:
     """
     A cut of a model as one conforming, welded triangle mesh: a vtkPolyData with numpy arrays (see Cut).
@@ -75,6 +76,8 @@ def cut(
     region: where the cut is to be that fine: an implicit function (inside: negative), or the six bounds of a box; outside
     of it the cut is as coarse as it can be, or within outside_error (input's units).
     arrays: the names of the arrays to have; None: all.
+    distances: whether to have two cell arrays more, "DistanceToInput" and "DistanceFromInput": what is certified of the
+    patch that a triangle is of (input's units).
 
     MultiTriangulationError where there is no such cut, with the reason.
     """
@@ -90,6 +93,7 @@ def cut(
         cutter.SetOutsideError(float(outside_error))
     if arrays is not None:
         _select(cutter, model, {arrays} if isinstance(arrays, str) else set(arrays))
+    cutter.SetGenerateDistances(bool(distances))
     with Listener(cutter) as listener:
         cutter.Update()
     if cutter.GetErrorMessage():
@@ -97,6 +101,8 @@ def cut(
     result = Cut()
     result.ShallowCopy(cutter.GetOutput())
     result.error = cutter.GetCutError()
+    result.distance_to_input = cutter.GetDistanceToInput()
+    result.distance_from_input = cutter.GetDistanceFromInput()
     result.exact = cutter.GetExact()
     result.finest_level = cutter.GetFinestLevel()
     result.coarsest_level = cutter.GetCoarsestLevel()

@@ -76,6 +76,9 @@ class Cut(Triangles):
 
     #: Largest certified distance to the input, in its units, both ways; 0 where the cut is the input bit for bit.
     error = math.inf
+    #: No point of the cut is farther from the input; none of the input is farther from the cut.
+    distance_to_input = math.inf
+    distance_from_input = math.inf
     #: Levels of the finest and the coarsest patch; 0 is the model's finest.
     finest_level = 0
     coarsest_level = 0

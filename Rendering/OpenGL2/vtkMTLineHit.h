@@ -36,6 +36,9 @@ struct vtkMTLineHit
   bool Find(const vtkMTPatchSource& source, const std::vector<std::uint32_t>& arcs, const Place& begin,
     const Place& end, const Resident& resident, std::string& error);
 
+  /// Whose patch was hit.
+  std::uint32_t GetArc() const { return this->Arc; }
+
 private:
   // Where the nearest hit so far is.
   bool Found = false;

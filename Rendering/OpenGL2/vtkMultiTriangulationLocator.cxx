@@ -2,6 +2,7 @@
 #include "vtkMultiTriangulationLocator.h"
 
 #include "vtkGenericCell.h"
+#include "vtkMTGraph.h"
 #include "vtkMTLineHit.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTPlacement.h"
@@ -51,6 +52,7 @@ vtkDataSet* vtkMultiTriangulationLocator::GetDataSet()
 int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const double p2[3], double vtkNotUsed(tol),
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
 {
+  this->DistanceToInput = this->DistanceFromInput = 0.0;
   auto* model = vtkMultiTriangulation::SafeDownCast(this->GetDataSet());
   if (!model || !model->GetSource() || model->GetNumberOfPoints() == 0)
   {
@@ -73,6 +75,9 @@ int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const do
   {
     return 0;
   }
+  const vtkMTGraph& graph = model->GetSource()->GetGraph();
+  this->DistanceToInput = graph.GetDistanceToInput(hit.GetArc()) * placement.GetStretch();
+  this->DistanceFromInput = graph.GetDistanceFromInput(hit.GetArc()) * placement.GetStretch();
   t = hit.T;
   subId = 0;
   cellId = hit.InputCell;

@@ -56,6 +56,14 @@ public:
     int& subId, vtkIdType& cellId, vtkGenericCell* cell) override;
 
   ///@{
+  /// Of the patch that was hit last (vtkMTGraph::GetDistanceToInput), in the units of the mapper's input: how far the
+  /// place that was picked can be from the input's surface, and how far the part of the input that the patch stands for
+  /// can be from the patch. 0 when nothing has been hit.
+  vtkGetMacro(DistanceToInput, double);
+  vtkGetMacro(DistanceFromInput, double);
+  ///@}
+
+  ///@{
   /// There is nothing to build: the cut is another one in every frame.
   void BuildLocator() override {}
   void FreeSearchStructure() override {}
@@ -71,6 +79,8 @@ private:
   void operator=(const vtkMultiTriangulationLocator&) = delete;
 
   vtkSmartPointer<vtkMultiTriangulationMapper> Mapper;
+  double DistanceToInput = 0.0;
+  double DistanceFromInput = 0.0;
 };
 
 #endif

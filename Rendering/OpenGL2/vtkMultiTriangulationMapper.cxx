@@ -284,6 +284,18 @@ std::vector<std::uint32_t> vtkMultiTriangulationMapper::GetDrawnArcs() const
 }
 
 //------------------------------------------------------------------------------
+double vtkMultiTriangulationMapper::GetDistanceToInput() const
+{
+  return this->Implementation->GetLargest(this->GetDrawnArcs(), &vtkMTGraph::GetDistanceToInput);
+}
+
+//------------------------------------------------------------------------------
+double vtkMultiTriangulationMapper::GetDistanceFromInput() const
+{
+  return this->Implementation->GetLargest(this->GetDrawnArcs(), &vtkMTGraph::GetDistanceFromInput);
+}
+
+//------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::FollowInput()
 {
   Internals& self = *this->Implementation;

@@ -341,6 +341,14 @@ public:
   /// event, when nothing has been drawn yet or a patch cannot be read.
   bool GetCut(vtkPolyData* output);
 
+  ///@{
+  /// Of what was drawn in the last frame, in the units of the input object: no point of it is farther from the input
+  /// than the first one, and no point of the input that it stands for is farther from it than the second one. 0 when
+  /// nothing has been drawn.
+  double GetDistanceToInput() const;
+  double GetDistanceFromInput() const;
+  ///@}
+
   /// The arcs of the model's graph whose patches were drawn in the last frame, ascending.
   std::vector<std::uint32_t> GetDrawnArcs() const;
 

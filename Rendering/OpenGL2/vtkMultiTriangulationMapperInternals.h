@@ -22,6 +22,7 @@
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -85,6 +86,17 @@ struct vtkMultiTriangulationMapper::Internals
 
   void TakeShare(const int share[2]);
   const std::vector<std::uint32_t>& GetDrawnArcs() const { return this->DrawsShare ? this->Share : this->Cut->Arcs; }
+
+  // Of some arcs, where the input stands.
+  double GetLargest(const std::vector<std::uint32_t>& arcs, double (vtkMTGraph::*distance)(std::uint32_t) const) const
+  {
+    double largest = 0.0;
+    for (const std::uint32_t arc : arcs)
+    {
+      largest = std::max(largest, (this->Graph().*distance)(arc));
+    }
+    return largest * this->Placement.GetStretch();
+  }
 
   // Row-major: the input's frame, and then the actor's matrix.
   std::array<double, 16> GetModelToWorld(vtkActor* actor) const

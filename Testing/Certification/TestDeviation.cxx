@@ -364,3 +364,55 @@ TEST(Deviation, LongTrianglesAcrossThousandsAreBoundTightly)
   EXPECT_LE(deviation.UpperBound, 1.2 * deviation.LowerBound);
   EXPECT_GE(deviation.LowerBound, 39.0);
 }
+
+// Halves of long and thin triangles get nowhere: what is near enough to one triangle is split off at once.
+TEST(Deviation, StretchedMeshesAreBoundTightly)
+{
+  std::size_t piecesOfFirst = 0;
+  for (const std::int32_t factor : { 1, 100, 10000, 50000 })
+  {
+    vtkMTPatch fine = MakeGrid(24, 24000, Hills);
+    vtkMTPatch coarse = MakeGrid(6, 24000, Hills, true);
+    for (vtkMTPatch* mesh : { &fine, &coarse })
+    {
+      for (vtkMTPoint& point : mesh->Points)
+      {
+        point[0] *= factor;
+      }
+    }
+    const vtkMTDeviation deviation = GetDeviation(fine, coarse);
+    std::printf("%5d times as long: bound %.1f, lower bound %.1f, %zu pieces%s\n", factor, deviation.UpperBound,
+      deviation.LowerBound, deviation.Pieces, deviation.BudgetUsedUp ? ", budget used up" : "");
+    piecesOfFirst = factor == 1 ? deviation.Pieces : piecesOfFirst;
+    EXPECT_LE(deviation.UpperBound, 1.5 * deviation.LowerBound);
+    EXPECT_LE(deviation.Pieces, 2 * piecesOfFirst);
+    EXPECT_FALSE(deviation.BudgetUsedUp);
+  }
+}
+
+// A comb whose teeth are thin, and one with fewer, longer ones.
+TEST(Deviation, CombsAreBoundTightly)
+{
+  const auto makeComb = [](int teeth, int wide, int length)
+  {
+    vtkMTPatch mesh;
+    for (int i = 0; i < teeth; ++i)
+    {
+      const auto first = static_cast<std::uint32_t>(mesh.Points.size());
+      mesh.Points.insert(mesh.Points.end(),
+        { { wide * i, 0, 0 }, { wide * (i + 1), 0, 0 }, { wide * i + wide / 2, length + 7 * (i % 13), (i % 5) * 3 } });
+      mesh.Triangles.push_back({ first, first + 1, first + 2 });
+    }
+    return mesh;
+  };
+  for (const int length : { 2000, 200000, 20000000 })
+  {
+    const vtkMTPatch fine = makeComb(1000, 20, length);
+    const vtkMTPatch coarse = makeComb(500, 40, length);
+    const vtkMTDeviation deviation = GetDeviation(fine, coarse);
+    std::printf("teeth of %d: bound %.2f, lower bound %.2f, %zu pieces%s\n", length, deviation.UpperBound,
+      deviation.LowerBound, deviation.Pieces, deviation.BudgetUsedUp ? ", budget used up" : "");
+    EXPECT_LE(deviation.UpperBound, 1.5 * deviation.LowerBound);
+    EXPECT_FALSE(deviation.BudgetUsedUp);
+  }
+}

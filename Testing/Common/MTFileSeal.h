@@ -23,7 +23,8 @@ enum BlockType : std::uint32_t
   Entering = 5,
   Sections = 6,
   Measures = 7,
-  Ranges = 8
+  Ranges = 8,
+  Distances = 9
 };
 
 template <class Number>
@@ -43,7 +44,7 @@ void Put(unsigned char* data, std::size_t offset, Number value)
 /// Where a block's entry in the table is; 0 when there is none.
 inline std::size_t FindEntry(const unsigned char* data, std::uint32_t type)
 {
-  const auto blocks = std::min<std::uint32_t>(Get<std::uint32_t>(data, 52), 7); // more would pass the 256 bytes
+  const auto blocks = std::min<std::uint32_t>(Get<std::uint32_t>(data, 52), 9); // more would pass 288 bytes
   for (std::uint32_t i = 0; i < blocks; ++i)
   {
     if (Get<std::uint32_t>(data, 64 + 24 * std::size_t(i)) == type)

@@ -3,16 +3,22 @@
 
 #include "vtkMTCut.h"
 #include "vtkMTGraph.h"
+#include "vtkMTPlacement.h"
 #include "vtkMultiTriangulationCutFilter.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkCellLocator.h"
 #include "vtkDataArraySelection.h"
 #include "vtkErrorCode.h"
 #include "vtkGenericCell.h"
+#include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 #include "vtkSphere.h"
+#include "vtkTransform.h"
 
+#include <algorithm>
+#include <iostream>
 #include <limits>
 
 using namespace MTGeneralTest;
@@ -103,6 +109,51 @@ TEST(CutFilter, TriangleLimitHoldsAndIsFilled)
     EXPECT_GE(triangles, std::min<double>(0.9 * static_cast<double>(limit), 20480));
     ExpectClosed(filter->GetOutput());
   }
+}
+
+TEST(CutFilter, TrianglesHaveTheDistancesOfTheirPatches)
+{
+  vtkNew<vtkMultiTriangulation> model;
+  model->ShallowCopy(GetSphere());
+  vtkNew<vtkTransform> twice;
+  twice->Scale(2.0, 2.0, 2.0);
+  ASSERT_TRUE(model->ApplyTransform(twice->GetMatrix()->GetData()));
+  vtkNew<vtkSphere> region;
+  region->SetCenter(2.0, 0.0, 0.0);
+  region->SetRadius(0.5);
+  vtkNew<CutFilter> filter;
+  filter->SetInputData(model);
+  filter->SetLevel(0);
+  filter->SetRegion(region);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("DistanceToInput"), nullptr);
+  filter->GenerateDistancesOn();
+  filter->Update();
+  const vtkMTGraph& graph = model->GetSource()->GetGraph();
+  vtkMTPlacement placement;
+  model->GetFrame(placement.Matrix.data());
+  EXPECT_NEAR(placement.GetStretch(), 2.0, 1e-6);
+  const auto check = [&](const char* name, double (vtkMTGraph::*distance)(std::uint32_t) const, double figure)
+  {
+    std::set<double> known;
+    for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+    {
+      known.insert((graph.*distance)(arc) * placement.GetStretch());
+    }
+    vtkDataArray* values = filter->GetOutput()->GetCellData()->GetArray(name);
+    ASSERT_NE(values, nullptr);
+    ASSERT_EQ(values->GetNumberOfTuples(), filter->GetOutput()->GetNumberOfPolys());
+    for (vtkIdType cell = 0; cell < values->GetNumberOfTuples(); ++cell)
+    {
+      ASSERT_EQ(known.count(values->GetTuple1(cell)), 1u) << name << " of cell " << cell;
+    }
+    std::cout << name << " from " << values->GetRange()[0] << " to " << values->GetRange()[1] << "\n";
+    EXPECT_EQ(values->GetRange()[1], figure);
+    EXPECT_LT(values->GetRange()[0], 0.01 * figure) << "the region is fine, the rest coarse";
+  };
+  check("DistanceToInput", &vtkMTGraph::GetDistanceToInput, filter->GetDistanceToInput());
+  check("DistanceFromInput", &vtkMTGraph::GetDistanceFromInput, filter->GetDistanceFromInput());
+  EXPECT_EQ(filter->GetCutError(), std::max(filter->GetDistanceToInput(), filter->GetDistanceFromInput()));
 }
 
 TEST(CutFilter, ErrorHoldsAndLevelsAreWhole)

@@ -150,6 +150,30 @@ TEST(Section, IsThatOfTheFinestMeshWhereNoErrorIsAllowed)
   }
 }
 
+TEST(Section, LinesHaveTheDistancesOfTheirPatches)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.3, 0.1, 1.0);
+  vtkNew<vtkMultiTriangulationSection> section;
+  section->SetInputData(GetSphere());
+  section->SetImplicitFunction(plane);
+  section->SetError(0.05);
+  section->GenerateDistancesOn();
+  section->Update();
+  for (const char* name : { "DistanceToInput", "DistanceFromInput" })
+  {
+    vtkDataArray* values = section->GetOutput()->GetCellData()->GetArray(name);
+    ASSERT_NE(values, nullptr) << name;
+    ASSERT_EQ(values->GetNumberOfTuples(), section->GetOutput()->GetNumberOfLines());
+    std::cout << name << " from " << values->GetRange()[0] << " to " << values->GetRange()[1] << ", the section's "
+              << section->GetSectionError() << "\n";
+    EXPECT_LE(values->GetRange()[1], 0.05);
+    EXPECT_LT(values->GetRange()[0], values->GetRange()[1]);
+  }
+  EXPECT_LE(
+    section->GetOutput()->GetCellData()->GetArray("DistanceToInput")->GetRange()[1], section->GetSectionError());
+}
+
 TEST(Section, ReadsOnlyWhatItMeets)
 {
   MTTestModel::TubeOptions options;

@@ -243,6 +243,48 @@ TEST(Blocks, RangesAreThoseOfTheFinestLevelAndOfEverythingBelow)
   }
 }
 
+TEST(Blocks, DistancesOfPatchesComeBackOrAreThoseOfTheNodes)
+{
+  const auto model = MakeModel();
+  const auto read = [](const Bytes& bytes, vtkMTFileSource& source)
+  {
+    std::string error;
+    source.Open(std::make_shared<vtkMTMemoryByteSource>(Bytes(bytes)), error);
+    return error;
+  };
+  vtkMTFileSource without;
+  ASSERT_EQ(read(MakeFile(*model), without), "");
+  EXPECT_FALSE(without.GetGraph().HasArcDistances());
+  vtkMTGraph& graph = model->GetMutableGraph();
+  const double shift = graph.Lattice.MaximumShift;
+  for (std::uint32_t i = 0; i < graph.Arcs.size(); ++i)
+  {
+    EXPECT_EQ(without.GetGraph().GetDistanceToInput(i), graph.Nodes[graph.Arcs[i].To].Error);
+    graph.Arcs[i].ToInput = 0.25f * static_cast<float>(i % 3);
+    graph.Arcs[i].FromInput = 1e30f; // more than the node's
+  }
+  const Bytes good = MakeFile(*model);
+  vtkMTFileSource with;
+  ASSERT_EQ(read(good, with), "");
+  EXPECT_TRUE(with.GetGraph().HasArcDistances());
+  for (std::uint32_t i = 0; i < graph.Arcs.size(); ++i)
+  {
+    const double error = graph.Nodes[graph.Arcs[i].To].Error;
+    EXPECT_NEAR(
+      with.GetGraph().GetDistanceToInput(i), std::min(error, 0.25 * (i % 3) * graph.Lattice.Step + shift), 1e-12);
+    EXPECT_EQ(with.GetGraph().GetDistanceFromInput(i), error);
+  }
+  const auto block = MTFileSeal::GetBlock(good.data(), good.size(), MTFileSeal::Distances);
+  ASSERT_EQ(block.Size, 8 * graph.Arcs.size());
+  for (const float impossible : { -1.0f, std::nanf(""), std::numeric_limits<float>::infinity() })
+  {
+    Bytes bytes = good;
+    MTFileSeal::Put<float>(bytes.data(), block.Offset + block.Size - 4, impossible);
+    MTFileSeal::SealPages(bytes.data(), bytes.size());
+    EXPECT_NE(OpenAndRead(bytes).find("impossible distance"), std::string::npos);
+  }
+}
+
 TEST(Blocks, ColumnsThatDoNotFitTheGraphAreRefused)
 {
   const auto model = MakeModel();

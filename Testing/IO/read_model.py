@@ -114,7 +114,7 @@ def unzigzag(code, width=32):
     return ((code >> 1) ^ -(code & 1)) & ((1 << width) - 1)
 
 
-PAGES, METADATA, NODES, ARCS, ENTERING, SECTIONS, MEASURES, RANGES = range(1, 9)  # types of blocks
+PAGES, METADATA, NODES, ARCS, ENTERING, SECTIONS, MEASURES, RANGES, DISTANCES = range(1, 10)  # types of blocks
 PAGE = 65536
 BLOB = 0x8000
 
@@ -134,7 +134,7 @@ class Header:
         for i in range(blocks):
             kind, flags, offset, length = struct.unpack_from("<IIQQ", data, 64 + 24 * i)
             require(kind not in self.blocks and flags <= 1 and offset % 16 == 0, "an impossible block")
-            require(PAGES <= kind <= RANGES or flags == 0, f"a block of type {kind} must be known")
+            require(PAGES <= kind <= DISTANCES or flags == 0, f"a block of type {kind} must be known")
             require(kind == PAGES or self.pages_at <= offset <= offset + length <= self.sections_at, "a block out of place")
             self.blocks[kind] = (offset, length)
         pages = range(self.pages_at, self.sections_at, PAGE)
@@ -185,6 +185,10 @@ class Model:
         if self.columns:
             self.range_values = head.records(data, RANGES, f"{2 * len(self.columns)}d")
             require(len(self.range_values) == len(self.arcs), "ranges of other arcs")
+        if DISTANCES in head.blocks:
+            self.distances = head.records(data, DISTANCES, "2f")
+            require(len(self.distances) == len(self.arcs), "distances of other arcs")
+            require(all(0 <= d < float("inf") for both in self.distances for d in both), "impossible distances")
         self.check_graph()
         self.check_sections()
         self.check_figures()

@@ -203,9 +203,13 @@ void ExpectTheHitsOfBruteForce(vtkMultiTriangulationMapper* mapper, int count)
       ASSERT_EQ(found.Hit, !expected.Cells.empty()) << "line " << asked << ", " << left << " left on the stack";
       if (!found.Hit)
       {
+        EXPECT_EQ(locator->GetDistanceToInput(), 0.0);
         continue;
       }
       hits += left == 0.0;
+      EXPECT_GT(locator->GetDistanceToInput() + locator->GetDistanceFromInput(), 0.0);
+      EXPECT_LE(locator->GetDistanceToInput(), mapper->GetDistanceToInput());
+      EXPECT_LE(locator->GetDistanceFromInput(), mapper->GetDistanceFromInput());
       EXPECT_NEAR(found.T, expected.T, 1e-9);
       EXPECT_EQ(expected.Cells.count(found.Cell), 1u) << "cell " << found.Cell;
       for (int i = 0; i < 3; ++i)

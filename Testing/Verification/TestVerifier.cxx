@@ -316,6 +316,52 @@ TEST(Verifier, ErrorsThatAreTooSmallAreFound)
   EXPECT_GT(CountViolations(verifier->GetChecks(), "certified_input_to_cut"), 0);
 }
 
+// A model with distances of its patches, as those of a builder are: all of what the nodes say.
+TEST(Verifier, DistancesOfPatchesThatAreTooSmallAreFound)
+{
+  const auto store = MTTestModel::MakeTube();
+  const auto mesh = MakeInput(*store);
+  vtkMTGraph& graph = store->GetMutableGraph();
+  const auto verify = [&](float toInput, float fromInput)
+  {
+    for (vtkMTArc& arc : graph.Arcs)
+    {
+      const auto steps = static_cast<float>(0.999999 * graph.Nodes[arc.To].OwnError / graph.Lattice.Step);
+      arc.ToInput = toInput * steps;
+      arc.FromInput = fromInput * steps;
+    }
+    vtkNew<vtkMultiTriangulationVerifier> verifier;
+    SetSmall(verifier);
+    EXPECT_TRUE(verifier->Verify(*store, Open(mesh)));
+    const auto violations = std::make_pair(CountViolations(verifier->GetChecks(), "certified_patch_to_input"),
+      CountViolations(verifier->GetChecks(), "certified_input_to_cut"));
+    std::cout << "distances of " << toInput << " and " << fromInput << " of the nodes' errors: " << violations.first
+              << " and " << violations.second << " violations\n";
+    return violations;
+  };
+  EXPECT_EQ(verify(1.0f, 1.0f), std::make_pair(0, 0));
+  EXPECT_GT(verify(0.1f, 1.0f).first, 0);
+  EXPECT_GT(verify(1.0f, 0.1f).second, 0);
+}
+
+// The largest distance of all holds, but that of one patch does not.
+TEST(Verifier, ADistanceOfOnePatchThatIsTooSmallIsFound)
+{
+  const auto store = MTTestModel::MakeTube();
+  const auto mesh = MakeInput(*store);
+  vtkMTGraph& graph = store->GetMutableGraph();
+  for (std::uint32_t i = 0; i < graph.Arcs.size(); ++i)
+  {
+    const auto steps = static_cast<float>(0.999999 * graph.Nodes[graph.Arcs[i].To].OwnError / graph.Lattice.Step);
+    graph.Arcs[i].ToInput = steps;
+    graph.Arcs[i].FromInput = i == 0 ? 0.0f : steps;
+  }
+  vtkNew<vtkMultiTriangulationVerifier> verifier;
+  SetSmall(verifier);
+  ASSERT_TRUE(verifier->Verify(*store, Open(mesh)));
+  EXPECT_GT(CountViolations(verifier->GetChecks(), "certified_input_to_cut"), 0);
+}
+
 TEST(Verifier, AnErrorThatIsNotNestedIsFoundAndTheInputIsLeftAlone)
 {
   const auto store = MTTestModel::MakeTube();
