@@ -125,6 +125,7 @@ bool MTStiffLevels::Read(std::uint32_t level, Cut& cut) const
     }
   }
   cut.Error = arcs.GetError();
+  cut.FromInput = arcs.GetDistanceFromInput();
   vtkMTAssembler assembler(graph.Arrays);
   for (const std::uint32_t arc : arcs.GetArcs())
   {
@@ -134,7 +135,7 @@ bool MTStiffLevels::Read(std::uint32_t level, Cut& cut) const
     {
       return false;
     }
-    cut.Errors.resize(cut.Errors.size() + patch.Triangles.size(), graph.Nodes[graph.Arcs[arc].To].Error);
+    cut.ToInput.resize(cut.ToInput.size() + patch.Triangles.size(), graph.GetDistanceToInput(arc));
   }
   const vtkMTPatch& mesh = assembler.GetMesh();
   for (const vtkMTPoint& k : mesh.Points)
@@ -163,9 +164,9 @@ MTWorstPlace::Surface MTStiffLevels::GetSurface(std::uint32_t level) const
 void MTStiffLevels::Search(const Cut& cut, MTStiffStudy::Level& found) const
 {
   std::vector<double> allowed;
-  for (const double error : cut.Errors)
+  for (const double certified : cut.ToInput)
   {
-    allowed.push_back(this->ToLocal(error));
+    allowed.push_back(this->ToLocal(certified));
   }
   double largest = 0.0;
   const std::vector<double> toInput = this->InputSearch->Search(cut.Surface, this->Climbs, allowed);
@@ -177,7 +178,7 @@ void MTStiffLevels::Search(const Cut& cut, MTStiffStudy::Level& found) const
   for (const double distance : MTWorstPlace(cut.Surface).Search(this->Input, this->Climbs))
   {
     largest = std::max(largest, distance);
-    found.ViolatedCut = std::max(found.ViolatedCut, GetShare(distance, this->ToLocal(cut.Error)));
+    found.ViolatedCut = std::max(found.ViolatedCut, GetShare(distance, this->ToLocal(cut.FromInput)));
   }
   found.Found = std::ldexp(largest, -this->Exponent);
 }
@@ -214,7 +215,7 @@ MTStiffStudy::Level MTStiffLevels::Measure(std::uint32_t level, std::size_t pair
   MTStiffStudy::Level found;
   Cut cut;
   this->Read(level, cut);
-  found.Triangles = cut.Errors.size();
+  found.Triangles = cut.ToInput.size();
   found.Certified = cut.Error;
   if (this->IsSearched)
   {

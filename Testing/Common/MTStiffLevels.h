@@ -28,8 +28,9 @@ private:
   {
     MTStiffTopology::Mesh Lattice;
     MTWorstPlace::Surface Surface; // local
-    std::vector<double> Errors;    // of each triangle, model units
-    double Error = 0.0;            // the largest in the cut
+    std::vector<double> ToInput;   // certified for each triangle's patch, model units
+    double FromInput = 0.0;        // the largest in the cut
+    double Error = 0.0;            // the largest in the cut, of nodes
   };
   bool Read(std::uint32_t level, Cut& cut) const;
   void ReadInput(vtkPolyData* input);

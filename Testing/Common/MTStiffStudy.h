@@ -40,8 +40,8 @@ public:
     double Certified = 0.0;     ///< the largest error in the cut
     double MedianError = 0.0;   ///< of the nodes of this level
     double Found = 0.0;         ///< the worst place of either direction
-    double ViolatedPatch = 0.0; ///< the largest of what was found in a triangle over what is certified for its patch
-    double ViolatedCut = 0.0;   ///< what was found from the input over what is certified for the cut
+    double ViolatedPatch = 0.0; ///< the largest of what was found in a triangle over its patch's own certified distance
+    double ViolatedCut = 0.0;   ///< what was found from the input over the largest such distance of the cut's patches
     std::int64_t Flipped = 0;   ///< triangles that face away from the level 0 beside their barycentre
     MTStiffTopology Topology;
   };

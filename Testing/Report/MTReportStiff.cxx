@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,51 +163,67 @@ std::vector<Kind> Collect(const std::vector<Measured>& all)
   return kinds;
 }
 
-// Why a claim is known not to hold in every case; empty: it is to hold in all.
-std::string GetReason(const std::string& claim)
+// A claim of verdicts as a sentence, and why it is known not to hold in every case; empty: it is to hold in all.
+struct Sentence
 {
-  const std::pair<const char*, const char*> reasons[] = {
-    { "triangles of the coarsest cut, in targets",
-      "Where hardly an edge can be collapsed (borders without inner points, edges with more than two triangles, folds) "
+  const char* Claim;
+  const char* Text;
+  const char* Reason;
+};
+
+const Sentence& GetSentence(const std::string& claim)
+{
+  static const Sentence sentences[] = {
+    { "builds", "Every mesh is built", "" },
+    { "is refused with the reason", "A mesh without triangles is refused with the reason", "" },
+    { "verifies", "Every model verifies", "" },
+    { "every number is finite", "Every number of a model is finite", "" },
+    { "worst place over certified", "No place that is found is farther than what is certified for its patch or cut",
+      "" },
+    { "certified over worst place", "Certified errors are at most 5 times the worst place",
+      "Sums of steps that no direct bound replaces, where triangles are long beside what they deviate by." },
+    { "triangles of the coarsest cut, in targets", "The coarsest cut has at most 4 times the triangles of a region",
+      "Where hardly an edge can be collapsed (strips without inner points, edges with many triangles, corners of "
+      "cubes) "
       "coarse levels stay as they are." },
-    { "largest error, in steps",
-      "On a plane that is not parallel to an axis the lattice has few places for a new vertex; next to the plane is "
-      "where it goes, and is certified there." },
-    { "certified over worst place",
-      "Sums of steps that a direct bound does not replace, where triangles are long beside what they deviate by." },
-    { "share of flipped triangles",
-      "The simplifier looks at a fragment alone: where sheets are nearer to each other than the error, which of them a "
-      "triangle is next to says little." },
-    { "components change", "Small components are dropped whole when they are smaller than the level's error." },
-    { "Euler number changes", "As components." },
-    { "intersections made",
-      "Nothing keeps triangles apart that share no edge: sheets that are nearer than the error cross." },
+    { "largest error, in steps", "What is exactly flat has no error at any level",
+      "On a slope a new vertex is rounded to the lattice next to the plane, and certified there." },
+    { "share of flipped triangles", "No triangle faces away from the finest level beside it",
+      "Where sheets are nearer to each other than the error, what is beside a triangle is often another sheet; where "
+      "triangles grow from cell to cell or are slivers, some are turned over." },
+    { "components change", "No level has other components than the finest one",
+      "Whole small components are left out where the target cannot be reached with them (vtkMTComponentRemoval); how "
+      "far "
+      "away what is left is, is certified." },
+    { "Euler number changes", "No level has another Euler number than the finest one", "As components." },
+    { "intersections made", "No level has more triangles that cross each other than the finest one",
+      "Triangles that share no corner are not held apart: sheets that are nearer than the error cross." },
     { "errors after a rigid motion, factor",
-      "Regions are placed otherwise; with few triangles that shows in a median." }
+      "Turned and moved, median errors of levels are the same up to a factor of 2",
+      "A mesh that is long along an axis lies on few planes of the lattice; turned it does not, and no edge is exactly "
+      "collapsible any more. Loose bounds differ too." },
   };
-  for (const auto& [name, reason] : reasons)
+  const auto* found = std::find_if(
+    std::begin(sentences), std::end(sentences), [&](const Sentence& sentence) { return claim == sentence.Claim; });
+  if (found == std::end(sentences))
   {
-    if (claim == name)
-    {
-      return reason;
-    }
+    throw std::logic_error("no sentence for the claim '" + claim + "'");
   }
-  return std::string();
+  return *found;
 }
 
 void AddClaims(const std::vector<Measured>& all, MTReportSection& section)
 {
   for (const Kind& kind : Collect(all))
   {
-    const std::string reason = GetReason(kind.Name);
-    const std::string text = "In every case: " + kind.Name + " as claimed";
-    if (reason.empty())
+    const Sentence& sentence = GetSentence(kind.Name);
+    if (*sentence.Reason)
     {
-      section.AddClaim(text, kind.GetFigure(), kind.Failed.empty());
+      section.AddKnownClaim(sentence.Text, kind.GetFigure(), kind.Failed.empty(), sentence.Reason);
     }
     else
     {
-      section.AddKnownClaim(text, kind.GetFigure(), kind.Failed.empty(), reason);
+      section.AddClaim(sentence.Text, kind.GetFigure(), kind.Failed.empty());
     }
   }
 }
