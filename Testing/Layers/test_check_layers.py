@@ -67,6 +67,25 @@ class PlantedViolations(unittest.TestCase):
         self.write("Filters/Simplification/vtkMTEdgeCollapse.cxx", "#include <CGAL/Surface_mesh.h>\n")
         self.assertEqual(check_layers.check(self.root)[0], [])
 
+    def test_cgal_in_the_oracle_of_the_report_is_allowed(self):
+        self.write("Testing/Report/MTReportCgal.cxx", "#include <CGAL/Surface_mesh.h>\n")
+        self.write("Testing/Report/CMakeLists.txt", "add_executable(report MTReportCgal.cxx) # no install()\n")
+        self.assertEqual(check_layers.check(self.root)[0], [])
+
+    def test_cgal_in_anything_else_of_the_report_is_found(self):
+        for name in ("MTReportCgal.h", "MTReportStiff.cxx", "sub/MTReportCgal.cxx", "MTReportCgal2.cxx"):
+            self.write(f"Testing/Report/{name}", "#include <CGAL/Surface_mesh.h>\n")
+            self.assert_one_violation(f"Testing/Report/{name}:1", "CGAL")
+            (self.root / "Testing/Report" / name).unlink()
+
+    def test_cgal_elsewhere_in_the_tests_is_found(self):
+        self.write("Testing/Common/MTReportCgal.cxx", "#include <CGAL/Surface_mesh.h>\n")
+        self.assert_one_violation("Testing/Common/MTReportCgal.cxx:1", "CGAL")
+
+    def test_installing_the_report_is_found(self):
+        self.write("Testing/Report/CMakeLists.txt", "add_executable(report MTReportCgal.cxx)\n  INSTALL (TARGETS report)\n")
+        self.assert_one_violation("Testing/Report/CMakeLists.txt:2", "is not installed")
+
     def test_opengl_in_the_cut_is_found(self):
         self.write("Rendering/Core/vtkMTCache.cxx", '#include "vtkOpenGLPolyDataMapper.h"\n')
         self.assert_one_violation("OpenGL")

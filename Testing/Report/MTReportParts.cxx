@@ -9,6 +9,7 @@ const std::vector<MTReportPart>& MTReportGetParts()
     { "drawing", "Error against run time: drawing", MTReportDrawing },
     { "scaling", "Scaling", MTReportScaling },
     { "tightness", "Tightness of certified errors against build time", MTReportTightness },
+    { "stiff", "Stiff and extreme cases", MTReportStiff },
     { "conditioning", "Conditioning of the DAG", MTReportConditioning },
   };
   return parts;

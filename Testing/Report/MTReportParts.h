@@ -25,6 +25,7 @@ void MTReportConditioning(MTReportContext& context, MTReportSection& section);
 void MTReportDrawing(MTReportContext& context, MTReportSection& section);
 void MTReportScaling(MTReportContext& context, MTReportSection& section);
 void MTReportSettings(MTReportContext& context, MTReportSection& section);
+void MTReportStiff(MTReportContext& context, MTReportSection& section);
 void MTReportTightness(MTReportContext& context, MTReportSection& section);
 ///@}
 
