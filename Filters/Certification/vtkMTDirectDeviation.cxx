@@ -112,19 +112,19 @@ class Improver
 public:
   using Mesh = vtkMTDirectDeviation::Mesh;
 
-  struct Aim
+  struct State
   {
     double Loose;               // times the true deviation is near enough
     double TrueDeviation = 0.0; // what is known of it
     double Kept = 0.0;          // what some triangles keep, so that less need not be improved
   };
 
-  Improver(const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const Aim& aim, Deviations& known)
+  Improver(const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known)
     : Floor(floor)
     , Fragment(fragment)
     , Finer(finer)
     , Known(known)
-    , Sought(aim)
+    , Sought(state)
     , Slack(std::ldexp(std::max(fragment.GetExtent(), finer.Surface.GetExtent()), -40))
     , Up(fragment, finer.Surface, this->Slack, this->UpResult)
     , Down(finer.Surface, fragment, this->Slack, this->DownResult)
@@ -133,9 +133,9 @@ public:
         vtkMTDeviation::PiecesPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
     , MostEffort(EffortPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
   {
-    this->UpResult.LowerBound = aim.TrueDeviation;
+    this->UpResult.LowerBound = state.TrueDeviation;
     this->Up.Share = 1.0; // what is split anyway may as well have a bound that does not decide again
-    this->Down.Share = aim.Loose;
+    this->Down.Share = state.Loose;
     for (std::size_t s = 0; s < finer.Known.size(); ++s)
     {
       this->Up.After[s] = finer.Known[s].ToInput;
@@ -144,7 +144,7 @@ public:
     this->Up.Search = [this](const Vector& x, const vtkMTSurface::Hit& guess) { return this->FindNearest(x, guess); };
   }
 
-  const Aim& GetAim() const { return this->Sought; }
+  const State& GetState() const { return this->Sought; }
 
   // Of the triangles that have more than least.
   void ImproveToInput(const Range& range, double least)
@@ -320,7 +320,7 @@ private:
   const vtkMTSurface& Fragment;
   const Mesh Finer;
   Deviations& Known;
-  Aim Sought;
+  State Sought;
   const double Slack;
   vtkMTDeviation UpResult;
   vtkMTDeviation DownResult;
@@ -386,20 +386,20 @@ bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
 
 //------------------------------------------------------------------------------
 bool vtkMTDirectDeviation::Improve(const Mesh& floor, const vtkMTSurface& fragment, const vtkMTPoint& origin,
-  std::size_t levelsBelow, const Collect& collect, Deviations& deviations, std::string& error)
+  const Aim& aim, const Collect& collect, Deviations& deviations, std::string& error)
 {
-  Improver::Aim aim{ levelsBelow > NearLevels ? LoosenessFarBelow : Looseness };
+  Improver::State state{ aim.Looseness };
   const Range all{ 0, static_cast<std::uint32_t>(deviations.size()) };
   const auto improve = [&](const Range& range, double least, bool isProbe, FinerPart& part)
   {
     const vtkMTSurface surface(part.Mesh, origin);
-    Improver improver(floor, fragment, { surface, part.Known }, aim, deviations);
+    Improver improver(floor, fragment, { surface, part.Known }, state, deviations);
     improver.ImproveToInput(range, isProbe ? least : 0.0);
     if (!isProbe)
     {
       improver.ImproveFromInput(range);
     }
-    aim = improver.GetAim();
+    state = improver.GetState();
   };
   // Those of a range that have more than least; in halves where the finer mesh that is near would be too large.
   std::vector<Range> parts{ all };
@@ -411,7 +411,7 @@ bool vtkMTDirectDeviation::Improve(const Mesh& floor, const vtkMTSurface& fragme
     parts.pop_back();
     FinerPart part;
     part.Most = MostPerTriangle * floor.Surface.GetNumberOfTriangles();
-    if (!collect({ { fragment, deviations }, range, least }, levelsBelow, part, error))
+    if (!collect({ { fragment, deviations }, range, least }, aim.LevelsBelow, part, error))
     {
       return false;
     }
@@ -427,13 +427,13 @@ bool vtkMTDirectDeviation::Improve(const Mesh& floor, const vtkMTSurface& fragme
     {
       improve(range, least, isProbe, part);
     }
-    if (isProbe && parts.empty() && aim.TrueDeviation > 0.0 &&
-      aim.Loose * aim.TrueDeviation < FindLargest(deviations, 0))
+    if (isProbe && parts.empty() && state.TrueDeviation > 0.0 &&
+      state.Loose * state.TrueDeviation < FindLargest(deviations, 0))
     {
       isProbe = false;
       parts.push_back(all);
     }
-    least = isProbe ? least : aim.Loose * aim.TrueDeviation;
+    least = isProbe ? least : state.Loose * state.TrueDeviation;
   }
   return true;
 }

@@ -19,9 +19,10 @@
  * region next door is left out: p stands on a triangle f of the floor too, within f's FromInput of it, so a piece of s
  * that is farther from every f of the floor than the sum of both holds nothing of this region.
  *
- * Only the largest sums are looked at: those above Looseness times the largest deviation that is known to be true,
- * which is found first, by the few triangles of the largest sums. A mesh one level farther below has twice the
- * triangles; so where it is more than NearLevels below, sums may be LoosenessFarBelow times as large and stay.
+ * Only the largest sums are looked at: those above so many times the largest deviation that is known to be true, which
+ * is found first, by the few triangles of the largest sums. A mesh one level farther below has twice the triangles; so
+ * where it is more than NearLevels below, sums may be LoosenessFarBelow times as large and stay, but on coarse levels,
+ * from CoarseLevel on, which have a few regions only.
  */
 #ifndef vtkMTDirectDeviation_h
 #define vtkMTDirectDeviation_h
@@ -41,10 +42,16 @@ class VTKMTCERTIFICATION_EXPORT vtkMTDirectDeviation
 {
 public:
   ///@{
-  /// How far above the largest true deviation a sum may be and stay.
+  /// How far above the largest true deviation a sum of a fragment of a level may be and stay.
   static constexpr double Looseness = 1.25;
   static constexpr double LoosenessFarBelow = 1.4;
+  static constexpr double LoosenessOfCoarse = 1.2;
   static constexpr std::size_t NearLevels = 3;
+  static constexpr std::size_t CoarseLevel = 6;
+  static double GetLooseness(std::size_t level, std::size_t levelsBelow)
+  {
+    return levelsBelow <= NearLevels ? Looseness : level < CoarseLevel ? LoosenessFarBelow : LoosenessOfCoarse;
+  }
   ///@}
   /// Triangles of the finer mesh per triangle of the floor that are in memory at a time, at most: where it would be
   /// more, the fragment is worked on part by part.
@@ -93,10 +100,16 @@ public:
   using Collect =
     std::function<bool(const Neighbourhood& near, std::size_t levelsBelow, FinerPart& part, std::string& error)>;
 
-  /// Lowers what is known of the fragment's triangles by the mesh so many levels below, 2 or more. Surfaces are
-  /// relative to origin, in steps. False on failure, with a message in error.
-  static bool Improve(const Mesh& floor, const vtkMTSurface& fragment, const vtkMTPoint& origin,
-    std::size_t levelsBelow, const Collect& collect, Deviations& deviations, std::string& error);
+  /// Which mesh a fragment is held against, and how well.
+  struct Aim
+  {
+    std::size_t LevelsBelow; ///< 2 or more
+    double Looseness;        ///< above 1
+  };
+  /// Lowers what is known of the fragment's triangles. Surfaces are relative to origin, in steps. False on failure,
+  /// with a message in error.
+  static bool Improve(const Mesh& floor, const vtkMTSurface& fragment, const vtkMTPoint& origin, const Aim& aim,
+    const Collect& collect, Deviations& deviations, std::string& error);
 
   /// A ball around a triangle, and so much wider.
   static vtkMTBallGrid::Ball GetBall(

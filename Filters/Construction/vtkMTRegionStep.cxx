@@ -248,7 +248,9 @@ bool vtkMTRegionStep::ImproveByFinerLevel(const vtkMTDirectDeviation::Mesh& floo
   const auto collect = [&](const vtkMTDirectDeviation::Neighbourhood& near, std::size_t levelsBelow,
                          vtkMTDirectDeviation::FinerPart& part, std::string& why)
   { return context.CollectFiner(near, levelsBelow, origin, part, why); };
-  if (!vtkMTDirectDeviation::Improve(floor, fragment, origin, context.LevelsBelow, collect, deviations, error))
+  const vtkMTDirectDeviation::Aim aim{ context.LevelsBelow,
+    vtkMTDirectDeviation::GetLooseness(context.FloorLevel + 1, context.LevelsBelow) };
+  if (!vtkMTDirectDeviation::Improve(floor, fragment, origin, aim, collect, deviations, error))
   {
     return false;
   }

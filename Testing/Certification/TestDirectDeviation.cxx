@@ -142,8 +142,8 @@ public:
       return true;
     };
     std::string error;
-    ASSERT_TRUE(
-      vtkMTDirectDeviation::Improve({ floor, ofFloor }, this->Fragment, Origin, 2, collect, this->Known, error))
+    ASSERT_TRUE(vtkMTDirectDeviation::Improve(
+      { floor, ofFloor }, this->Fragment, Origin, { 2, vtkMTDirectDeviation::Looseness }, collect, this->Known, error))
       << error;
   }
 
@@ -246,7 +246,7 @@ TEST(DirectDeviation, AnErrorOfTheFinerMeshIsAnError)
   Half half(1, 0.0f);
   std::string error;
   EXPECT_FALSE(vtkMTDirectDeviation::Improve(
-    { half.Floor, half.OfFloor }, half.Fragment, Origin, 2,
+    { half.Floor, half.OfFloor }, half.Fragment, Origin, { 2, vtkMTDirectDeviation::Looseness },
     [](const auto&, std::size_t, auto&, std::string& why)
     {
       why = "the disk is gone";
