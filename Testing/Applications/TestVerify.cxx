@@ -7,8 +7,10 @@
 #include "vtkMTGraph.h"
 #include "vtkMTPatch.h"
 
+#include <cmath>
 #include <functional>
 #include <iostream>
+#include <sstream>
 
 namespace
 {
@@ -54,6 +56,21 @@ bool IsOk(const nlohmann::json& report, const std::string& check)
 }
 }
 
+// Values of measures, larger or smaller.
+GraphEdit ScaleMeasures(double by)
+{
+  return [by](vtkMTGraph& graph)
+  {
+    for (vtkMTMeasure& measure : graph.Measures)
+    {
+      for (double& value : measure.Values)
+      {
+        value *= by;
+      }
+    }
+  };
+}
+
 class Verify : public MTBmtTest
 {
 protected:
@@ -76,23 +93,50 @@ protected:
 TEST_F(Verify, AnglesThatAreTooSmallAreFound)
 {
   this->MakeModel(5120, 100, { "--certify-normals" });
-  const auto scale = [](double by)
-  {
-    return [by](vtkMTGraph& graph)
-    {
-      for (vtkMTMeasure& measure : graph.Measures)
-      {
-        for (double& value : measure.Values)
-        {
-          value *= by;
-        }
-      }
-    };
-  };
-  Rewrite(this->Path("sphere.bmt"), this->Path("same.bmt"), scale(1.0), SamePatch);
+  Rewrite(this->Path("sphere.bmt"), this->Path("same.bmt"), ScaleMeasures(1.0), SamePatch);
   EXPECT_TRUE(IsOk(this->Report("same.bmt", true), "certified_normals"));
-  Rewrite(this->Path("sphere.bmt"), this->Path("forged.bmt"), scale(0.1), SamePatch);
+  Rewrite(this->Path("sphere.bmt"), this->Path("forged.bmt"), ScaleMeasures(0.1), SamePatch);
   EXPECT_FALSE(IsOk(this->Report("forged.bmt", true), "certified_normals"));
+}
+
+TEST_F(Verify, DeviationsOfValuesThatAreTooSmallAreFound)
+{
+  // Hills with a value at each point.
+  constexpr int side = 60;
+  std::ostringstream ply;
+  ply << "ply\nformat ascii 1.0\nelement vertex " << (side + 1) * (side + 1)
+      << "\nproperty double x\nproperty double y\nproperty double z\nproperty float warmth\nelement face "
+      << 2 * side * side << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int j = 0; j <= side; ++j)
+  {
+    for (int i = 0; i <= side; ++i)
+    {
+      ply << i << " " << j << " " << 3.0 * std::sin(0.3 * i) * std::cos(0.2 * j) << " " << std::sin(0.5 * i + 0.1 * j)
+          << "\n";
+    }
+  }
+  for (int j = 0; j < side; ++j)
+  {
+    for (int i = 0; i < side; ++i)
+    {
+      const int a = j * (side + 1) + i;
+      ply << "3 " << a << " " << a + 1 << " " << a + side + 2 << "\n3 " << a << " " << a + side + 2 << " "
+          << a + side + 1 << "\n";
+    }
+  }
+  this->WriteFile("sphere.ply", ply.str());
+  const auto build = [&](const std::string& array)
+  {
+    return this->Bmt({ "build", this->Path("sphere.ply"), "-o", this->Path("sphere.bmt"), "--certify-values", array,
+      "--patch-triangles", "100" });
+  };
+  ASSERT_EQ(build("warmth").Exit, 0);
+  EXPECT_TRUE(IsOk(this->Report("sphere.bmt", true), "certified_values"));
+  Rewrite(this->Path("sphere.bmt"), this->Path("forged.bmt"), ScaleMeasures(0.1), SamePatch);
+  EXPECT_FALSE(IsOk(this->Report("forged.bmt", true), "certified_values"));
+  const MTRun unknown = build("wramth");
+  EXPECT_NE(unknown.Exit, 0);
+  EXPECT_NE(unknown.Err.find("no array \"wramth\""), std::string::npos) << unknown.Err;
 }
 
 TEST_F(Verify, AGoodModelPassesEveryCheck)
