@@ -20,10 +20,10 @@ const std::vector<MTReportMesh>& MTReportContext::GetMeshes()
   {
     const int triangles = this->Quick ? 20480 : 81920;
     this->Meshes.push_back({ "fractal sphere", MTReportMeshes::MakeFractalSphere(triangles) });
-    this->Meshes.push_back({ "torus", MTReportMeshes::MakeTorus(this->Quick ? 14400 : 57600) });
+    this->Meshes.push_back({ "torus", MTReportMeshes::MakeTorus(this->Quick ? 14400 : 25600) });
     if (!this->Quick)
     {
-      this->Meshes.push_back({ "terrain", MTReportMeshes::MakeTerrain(80000) });
+      this->Meshes.push_back({ "terrain", MTReportMeshes::MakeTerrain(40000) });
     }
     for (const std::string& file : this->MeshFiles)
     {

@@ -152,7 +152,7 @@ void ReportSizes(MTReportContext& context, MTReportSection& section)
   MTReportChart cuts("scaling-cut", "Finding a cut against size", { "triangles", true }, { "CPU time [us]", true });
   std::vector<Size> sizes;
   const std::vector<int> counts =
-    context.IsQuick() ? std::vector<int>{ 20480, 81920, 327680 } : std::vector<int>{ 81920, 327680, 1310720, 5242880 };
+    context.IsQuick() ? std::vector<int>{ 20480, 81920, 327680 } : std::vector<int>{ 20480, 81920, 327680, 1310720 };
   for (const int triangles : counts)
   {
     const auto mesh = MTReportMeshes::MakeFractalSphere(triangles);
@@ -160,7 +160,7 @@ void ReportSizes(MTReportContext& context, MTReportSection& section)
     for (const int threads : GetThreads())
     {
       context.Say(std::to_string(triangles) + " triangles, " + std::to_string(threads) + " threads");
-      const int repeats = triangles > 300000 && context.IsQuick() ? 1 : triangles > 2000000 ? 1 : 3;
+      const int repeats = triangles > (context.IsQuick() ? 300000 : 1000000) ? 1 : MTReportContext::Repeats;
       const Size size = MeasureSize(mesh, threads, repeats, errors);
       const double perTriangle = 1e6 / size.Triangles;
       table.AddRow({ size.Triangles, threads, perTriangle * size.Cpu.GetMedian(),

@@ -109,6 +109,9 @@ def check_same(folder, other):
         if not isinstance(found, dict):
             continue  # claims.json, whose figures may be times
         expected = json.loads((folder / path.name).read_text(encoding="utf-8"))
+        if found["columns"] != expected["columns"]:
+            faults.append(f"{path.name}: other columns")
+            continue
         if len(found["rows"]) != len(expected["rows"]):
             faults.append(f"{path.name}: {len(found['rows'])} rows and not {len(expected['rows'])}")
         for i, column in enumerate(found["columns"]):

@@ -79,6 +79,12 @@ class Report(unittest.TestCase):
         self.write_table(other, 0.1 + 2.0 ** -55, 2.0)
         self.assertEqual(len(check_report.check_same(self.folder, other)[0]), 1)
 
+    def test_other_columns_are_found(self):
+        other = self.folder / "other"
+        other.mkdir()
+        (other / "table.json").write_text(json.dumps({"columns": [{"name": "error", "kind": "figure"}], "rows": [[0.1], [1.0]]}))
+        self.assertIn("table.json: other columns", check_report.check_same(self.folder, other)[0])
+
 
 if __name__ == "__main__":
     unittest.main()
