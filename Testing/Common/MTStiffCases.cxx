@@ -53,6 +53,8 @@ void AddProportions(std::vector<Case>& cases)
   cases.push_back({ "Stretched1e12", "a sphere stretched 1e12 times", MakeStretched(1e12), 1280, 5120, {} });
   cases.push_back({ "Graded", "areas over 12 orders of magnitude in one mesh", [](int n) { return Graded(n, 1e-6); },
     1250, 20000, Limits().WithFlipped(0.35).WithIntersections(4000) });
+  cases.push_back({ "GradedRings", "areas over 12 orders of magnitude, triangles well shaped",
+    [](int n) { return GradedRings(n, 1e-6); }, 1250, 20000, {} });
   cases.push_back({ "Slivers1e4", "triangles of aspect 1e4", [](int n) { return Slivers(n, 1e4); }, 1280, 5120,
     Limits().WithFlipped(0.6).WithIntersections(700), 31 });
   cases.push_back({ "Slivers1e8", "triangles of aspect 1e8", [](int n) { return Slivers(n, 1e8); }, 1280, 5120,
