@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTReportChart.h"
 
+#include "MTReportImage.h"
+
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
 #include "vtkContextScene.h"
 #include "vtkContextView.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkPen.h"
 #include "vtkPlotPoints.h"
 #include "vtkRenderWindow.h"
@@ -65,15 +66,8 @@ void WritePicture(vtkRenderWindow* window, const std::string& path)
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
   picture->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->SetCompressionLevel(9);
-  writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  picture->Update();
+  MTReportImage::Write(picture->GetOutput(), 8, path);
 }
 }
 

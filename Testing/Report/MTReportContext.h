@@ -33,7 +33,7 @@ public:
   /// Of a build, where nothing else is measured: small meshes shall have levels, too.
   int GetPatchTriangles() const { return this->Quick ? 250 : 1000; }
   /// Of each surface, where distances are sampled.
-  std::size_t GetSamples() const { return this->Quick ? 40000 : 400000; }
+  std::size_t GetSamples() const { return this->Quick ? 40000 : 150000; }
 
   /// Generated ones, then those of the command line; read when they are first needed. Throws bmtError.
   const std::vector<MTReportMesh>& GetMeshes();

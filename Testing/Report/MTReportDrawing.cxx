@@ -113,6 +113,13 @@ public:
     this->FlyActors();
   }
 
+  void AddPictures()
+  {
+    const std::string file = "drawing-" + this->Name + "-pictures.png";
+    this->Flight.WritePictures(2.0, this->Context.GetFolder() + "/" + file);
+    this->Section.AddPicture(file, this->Mesh + ": full resolution above, two pixels of distance below");
+  }
+
 private:
   void FlyModels(Extremes& extremes)
   {
@@ -126,7 +133,7 @@ private:
     const MTReportChart::Axis triangles{ "triangles, mean over the flight", true };
     const MTReportChart::Axis rms{ "RMS of the picture [of 255]", true };
     MTReportChart byTime("drawing-" + this->Name + "-time", "Picture against time, " + this->Mesh,
-      { "CPU time of a frame, median [ms]", true }, rms);
+      { "CPU time of a frame, median [ms]", false }, rms);
     MTReportChart byTriangles(
       "drawing-" + this->Name + "-triangles", "Picture against triangles, " + this->Mesh, triangles, rms);
     MTReportChart popping(
@@ -231,12 +238,20 @@ void MTReportDrawing(MTReportContext& context, MTReportSection& section)
     "Popping is what the change of the cut alone does to the picture: the cut of the frame before and that of the "
     "frame, seen from the same place. Outline: the farthest that a pixel which shows the model in one picture is from "
     "one that does in the other. Drawing is by software here, so CPU time is what a frame costs. Models for "
-    "normal deviation are built with certified normals, whose distances are sums of steps and looser.");
+    "normal deviation are built with certified normals, whose distances are sums of steps and looser. Where the "
+    "differences of one of VTK's actors are zero, it drew full resolution: vtkLODActor goes by the time that commands "
+    "to "
+    "OpenGL take and not by that of drawing.");
   Extremes extremes;
   int number = 0;
   for (const MTReportMesh& mesh : context.GetMeshes())
   {
-    Drawing(context, mesh, std::to_string(++number), section).Run(extremes);
+    Drawing drawing(context, mesh, std::to_string(++number), section);
+    if (number == 1)
+    {
+      drawing.AddPictures();
+    }
+    drawing.Run(extremes);
   }
   AddClaims(extremes, section);
 }

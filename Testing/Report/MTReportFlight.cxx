@@ -32,20 +32,20 @@ MTReportFlight::MTReportFlight(const MTReportContext& context, const MTReportMes
 
 MTReportFlight::~MTReportFlight() = default;
 
-vtkIdType MTReportFlight::GetNumberOfTriangles() const
-{
-  return this->Full->GetNumberOfCells();
-}
-
-MTReportFrames MTReportFlight::FlyModel(int metric, double pixelError) const
+void MTReportFlight::Configure(vtkMultiTriangulationMapper* mapper, int metric, double pixelError) const
 {
   const bool isByNormals = metric == vtkMultiTriangulationMapper::NORMAL_DEVIATION;
-  vtkNew<vtkMultiTriangulationMapper> mapper;
   mapper->SetInputData((isByNormals ? this->ModelWithNormals : this->Model).GetData());
   mapper->ScalarVisibilityOff();
   mapper->SetErrorMetric(metric);
   mapper->SetPixelError(pixelError);
   mapper->SetWaitForConvergence(vtkMultiTriangulationMapper::WAIT_ALWAYS);
+}
+
+MTReportFrames MTReportFlight::FlyModel(int metric, double pixelError) const
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  this->Configure(mapper, metric, pixelError);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   MTReportScene scene(this->Size, actor);
@@ -116,4 +116,23 @@ MTReportFrames MTReportFlight::FlyMesh(vtkActor* actor, double rate, std::vector
   }
   scene.GetWindow()->SetInteractor(nullptr);
   return frames;
+}
+
+void MTReportFlight::WritePictures(double pixelError, const std::string& path) const
+{
+  vtkNew<vtkMultiTriangulationMapper> mapper;
+  this->Configure(mapper, vtkMultiTriangulationMapper::DISTANCE, pixelError);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  MTReportScene scene(this->Size, actor);
+  std::vector<std::vector<MTReportPicture>> rows(2);
+  for (const double time : { 0.3, 0.45, 0.6 })
+  {
+    const int frame = static_cast<int>(time * (this->Path.GetNumberOfFrames() - 1));
+    scene.Look(this->Path, frame);
+    scene.Draw();
+    rows[0].push_back(this->Wanted[frame]);
+    rows[1].push_back(scene.GetPicture());
+  }
+  MTReportPicture::Write(rows, this->Size[0] / 240, path);
 }

@@ -18,6 +18,7 @@
 
 class MTReportContext;
 class vtkActor;
+class vtkMultiTriangulationMapper;
 class vtkPolyData;
 struct MTReportMesh;
 
@@ -45,9 +46,11 @@ public:
   /// The mesh in full resolution in this actor, of any class, in a window that asks for so many frames per second.
   MTReportFrames FlyMesh(vtkActor* actor, double rate) const;
 
-  vtkIdType GetNumberOfTriangles() const;
+  /// Writes a picture of three frames, in full resolution above, as cuts of so many pixels of distance below.
+  void WritePictures(double pixelError, const std::string& path) const;
 
 private:
+  void Configure(vtkMultiTriangulationMapper* mapper, int metric, double pixelError) const;
   MTReportFrames FlyMesh(vtkActor* actor, double rate, std::vector<MTReportPicture>& pictures) const;
 
   const std::array<int, 2> Size; // of pictures

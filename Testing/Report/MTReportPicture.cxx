@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTReportPicture.h"
 
+#include "MTReportImage.h"
+
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkUnsignedCharArray.h"
@@ -147,4 +150,39 @@ MTReportDifference MTReportPicture::Compare(const MTReportPicture& other) const
   difference.Similarity = this->GetSimilarity(other);
   difference.Outline = std::max(this->GetFarthest(other), other.GetFarthest(*this));
   return difference;
+}
+
+unsigned char MTReportPicture::GetMean(int left, int bottom, int side, int component) const
+{
+  int sum = 0;
+  for (int y = bottom; y < bottom + side; ++y)
+  {
+    for (int x = left; x < left + side; ++x)
+    {
+      sum += this->Pixels[3 * (std::size_t(y) * this->Width + x) + component];
+    }
+  }
+  return static_cast<unsigned char>(sum / (side * side));
+}
+
+void MTReportPicture::Write(const std::vector<std::vector<MTReportPicture>>& rows, int share, const std::string& path)
+{
+  const int width = rows[0][0].Width / share;
+  const int height = rows[0][0].Height / share;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(static_cast<int>(rows[0].size()) * width, static_cast<int>(rows.size()) * height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < image->GetDimensions()[1]; ++y)
+  {
+    for (int x = 0; x < image->GetDimensions()[0]; ++x)
+    {
+      const MTReportPicture& picture = rows[rows.size() - 1 - std::size_t(y / height)][x / width];
+      auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
+      for (int c = 0; c < 3; ++c)
+      {
+        pixel[c] = picture.GetMean(share * (x % width), share * (y % height), share, c);
+      }
+    }
+  }
+  MTReportImage::Write(image, 64, path);
 }

@@ -10,6 +10,7 @@
 #define MTReportPicture_h
 
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkRenderWindow;
@@ -40,12 +41,17 @@ public:
 
   MTReportDifference Compare(const MTReportPicture& other) const;
 
+  /// Writes pictures of one size as one, side by side and below each other, each a share as wide and high. Throws
+  /// std::runtime_error where that fails.
+  static void Write(const std::vector<std::vector<MTReportPicture>>& rows, int share, const std::string& path);
+
 private:
   bool ShowsModel(int x, int y) const;
   double GetBrightness(int x, int y) const;
   double GetSimilarity(const MTReportPicture& other, int left, int bottom) const;
   double GetFarthest(const MTReportPicture& other) const;
   double GetSimilarity(const MTReportPicture& other) const;
+  unsigned char GetMean(int left, int bottom, int side, int component) const;
 
   int Width = 0;
   int Height = 0;
