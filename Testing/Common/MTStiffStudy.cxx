@@ -239,6 +239,17 @@ double MTStiffStudy::Result::GetLooseness() const
 }
 
 //------------------------------------------------------------------------------
+double MTStiffStudy::Result::GetOwnLooseness() const
+{
+  double largest = 0.0;
+  for (const Level& level : this->Levels)
+  {
+    largest = level.Found > 10.0 * this->Step ? std::max(largest, level.OwnDistance / level.Found) : largest;
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
 double MTStiffStudy::Result::GetFlippedShare() const
 {
   double largest = 0.0;
