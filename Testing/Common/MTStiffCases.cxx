@@ -52,7 +52,7 @@ void AddProportions(std::vector<Case>& cases)
   cases.push_back({ "Stretched1e9", "a sphere stretched 1e9 times", MakeStretched(1e9), 1280, 5120, {} });
   cases.push_back({ "Stretched1e12", "a sphere stretched 1e12 times", MakeStretched(1e12), 1280, 5120, {} });
   cases.push_back({ "Graded", "areas over 12 orders of magnitude in one mesh", [](int n) { return Graded(n, 1e-6); },
-    1250, 20000, Limits().WithFlipped(0.35).WithIntersections(4000) });
+    1250, 10000, Limits().WithFlipped(0.35).WithIntersections(4000) });
   cases.push_back({ "GradedRings", "areas over 12 orders of magnitude, triangles well shaped",
     [](int n) { return GradedRings(n, 1e-6); }, 1250, 20000, {} });
   cases.push_back({ "Slivers1e4", "triangles of aspect 1e4", [](int n) { return Slivers(n, 1e4); }, 1280, 5120,
@@ -60,7 +60,7 @@ void AddProportions(std::vector<Case>& cases)
   cases.push_back({ "Slivers1e8", "triangles of aspect 1e8", [](int n) { return Slivers(n, 1e8); }, 1280, 5120,
     Limits().WithFlipped(0.05).WithIntersections(1500), 31 });
   cases.push_back(
-    { "Needles", "triangles as long as the mesh", Needles, 1280, 20000, Limits().WithRoot(8), 24, false, 80000 });
+    { "Needles", "triangles as long as the mesh", Needles, 1280, 5000, Limits().WithRoot(8), 24, false, 80000 });
 }
 
 void AddThin(std::vector<Case>& cases)

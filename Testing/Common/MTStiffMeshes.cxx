@@ -275,7 +275,12 @@ Mesh Terraces(int triangles)
 {
   const int side = GetSide(triangles);
   Parts parts;
-  parts.AddGrid(side, side, [&](int i, int j) { return Place{ 1.0 * i, 1.0 * j, 1.0 * (i / 4) + 1.0 * (j / 4) }; });
+  parts.AddGrid(side, side,
+    [](int i, int j)
+    {
+      const int step = i / 4 + j / 4;
+      return Place{ 1.0 * i, 1.0 * j, 1.0 * step };
+    });
   return parts.Make();
 }
 }
