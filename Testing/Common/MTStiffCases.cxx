@@ -93,6 +93,11 @@ void AddFlat(std::vector<Case>& cases)
   cases.push_back({ "Plane", "exactly flat", Plane, 1250, 20000, {}, 24, true });
   cases.push_back(
     { "SlopingPlane", "exactly flat on a slope", SlopingPlane, 1250, 20000, Limits().WithFlatError(3), 24, true });
+  cases.push_back({ "TurnedSlope", "a larger plane turned, flat up to rounding",
+    [](int n) {
+      return TurnAndMove(SlopingPlane(n), 1.1, { 100.0, -70.0, 30.0 });
+    },
+    1250, 20000, Limits().WithLooseness(200) });
   cases.push_back({ "TurnedPlane", "a plane turned, flat up to rounding", MakeTurned(Plane), 1250, 20000, {} });
   cases.push_back({ "Cylinder", "a cylinder", Cylinder, 1280, 20000, {} });
   cases.push_back({ "TurnedCylinder", "a cylinder turned", MakeTurned(Cylinder), 1280, 20000, {} });

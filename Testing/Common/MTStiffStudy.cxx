@@ -233,7 +233,7 @@ double MTStiffStudy::Result::GetLooseness() const
   double largest = 0.0;
   for (const Level& level : this->Levels)
   {
-    largest = level.Found > 10.0 * this->Step ? std::max(largest, level.Certified / level.Found) : largest;
+    largest = std::max(largest, level.Certified / std::max(level.Found, 10.0 * this->Step));
   }
   return largest;
 }
@@ -244,7 +244,7 @@ double MTStiffStudy::Result::GetOwnLooseness() const
   double largest = 0.0;
   for (const Level& level : this->Levels)
   {
-    largest = level.Found > 10.0 * this->Step ? std::max(largest, level.OwnDistance / level.Found) : largest;
+    largest = std::max(largest, level.OwnDistance / std::max(level.Found, 10.0 * this->Step));
   }
   return largest;
 }

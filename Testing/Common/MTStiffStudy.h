@@ -63,7 +63,7 @@ public:
     std::vector<Level> Levels;
 
     double GetViolation() const; ///< the largest of all levels: at most 1 where certified errors hold
-    /// The largest of certified over found, where what was found is more than ten steps; 0 where it nowhere is.
+    /// The largest of certified over found, of all levels; where less was found than ten steps, over ten steps.
     double GetLooseness() const;
     double GetOwnLooseness() const;            ///< the same of the patches' own distances
     double GetFlippedShare() const;            ///< the largest of all levels

@@ -272,8 +272,8 @@ void MTReportStiff(MTReportContext& context, MTReportSection& section)
     "Meshes that are hard by their scale, proportions, thinness, topology or content. Each is built, verified, "
     "and searched for the worst place of every level's cut, in both directions: vertices, edges, barycentres, "
     "then hill climbing. What is found is a lower bound of the deviation: over certified it is at most 1 where "
-    "the certified error holds; certified over found says how loose it is, where more than ten steps of the "
-    "lattice were found. Flipped triangles face away from the finest level beside them. Components, Euler "
+    "the certified error holds; certified over found says how loose it is (over ten steps of the lattice "
+    "where less was found). Flipped triangles face away from the finest level beside them. Components, Euler "
     "number and intersections are counted on the lattice with exact predicates.");
   std::vector<Measured> all;
   for (const MTStiffCases::Case& stiff : MTStiffCases::GetCases())
