@@ -21,7 +21,7 @@ namespace MTStiffCases
 /// At most, or whether; the claims as they are, and what tests assert of a case where that is less.
 struct Limits
 {
-  double Looseness = 5.0;    ///< certified over found, where more than ten steps were found
+  double Looseness = 5.0;    ///< certified over found, or over ten steps where less was found
   double FlippedShare = 0.0; ///< triangles that face away from the input beside them
   double MadeIntersections = 0.0;
   double RootTriangles = 4.0; ///< of the coarsest cut, in targets of a region

@@ -126,6 +126,7 @@ bool MTStiffLevels::Read(std::uint32_t level, Cut& cut) const
   }
   cut.Error = arcs.GetError();
   cut.FromInput = arcs.GetDistanceFromInput();
+  cut.OwnDistance = std::max(cut.FromInput, arcs.GetDistanceToInput());
   vtkMTAssembler assembler(graph.Arrays);
   for (const std::uint32_t arc : arcs.GetArcs())
   {
@@ -217,6 +218,7 @@ MTStiffStudy::Level MTStiffLevels::Measure(std::uint32_t level, std::size_t pair
   this->Read(level, cut);
   found.Triangles = cut.ToInput.size();
   found.Certified = cut.Error;
+  found.OwnDistance = cut.OwnDistance;
   if (this->IsSearched)
   {
     this->Search(cut, found);

@@ -30,6 +30,7 @@ private:
     MTWorstPlace::Surface Surface; // local
     std::vector<double> ToInput;   // certified for each triangle's patch, model units
     double FromInput = 0.0;        // the largest in the cut
+    double OwnDistance = 0.0;      // the larger of FromInput and the largest ToInput
     double Error = 0.0;            // the largest in the cut, of nodes
   };
   bool Read(std::uint32_t level, Cut& cut) const;

@@ -133,6 +133,30 @@ Mesh Graded(int triangles, double smallest)
 }
 
 //------------------------------------------------------------------------------
+Mesh GradedRings(int triangles, double smallest)
+{
+  // As many rings of as many cells as make the cells about square.
+  const int around = std::max(8, static_cast<int>(std::lround(std::sqrt(Pi * triangles / std::log(1.0 / smallest)))));
+  const int rings = std::max(4, triangles / (2 * around));
+  Parts parts;
+  parts.AddGrid(around + 1, rings + 1,
+    [&](int i, int j)
+    {
+      const double angle = 2.0 * Pi * (i % around) / around;
+      const double r = std::pow(smallest, 1.0 - static_cast<double>(j) / rings);
+      return Place{ r * std::cos(angle), r * std::sin(angle), 0.1 * r * std::sin(3.0 * angle + 0.4 * j) };
+    });
+  for (Corners& corners : parts.Triangles)
+  {
+    for (vtkIdType& p : corners)
+    {
+      p -= p % (around + 1) == around ? around : 0;
+    }
+  }
+  return parts.Make();
+}
+
+//------------------------------------------------------------------------------
 Mesh Slivers(int triangles, double aspect)
 {
   const int columns = 9;
@@ -251,7 +275,12 @@ Mesh Terraces(int triangles)
 {
   const int side = GetSide(triangles);
   Parts parts;
-  parts.AddGrid(side, side, [&](int i, int j) { return Place{ 1.0 * i, 1.0 * j, 1.0 * (i / 4) + 1.0 * (j / 4) }; });
+  parts.AddGrid(side, side,
+    [](int i, int j)
+    {
+      const int step = i / 4 + j / 4;
+      return Place{ 1.0 * i, 1.0 * j, 1.0 * step };
+    });
   return parts.Make();
 }
 }

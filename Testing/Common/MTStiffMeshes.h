@@ -58,6 +58,8 @@ Mesh BumpySphere(int triangles, int type = VTK_DOUBLE);
 Mesh Relief(int triangles, double height);
 /// Triangle areas over 12 orders of magnitude: cells grow by a constant factor along both axes, and so does the relief.
 Mesh Graded(int triangles, double smallest);
+/// The same in rings about a centre, which grow outwards: all triangles are well shaped.
+Mesh GradedRings(int triangles, double smallest);
 /// Triangles of that aspect: a wavy strip of rows that are that much closer than columns.
 Mesh Slivers(int triangles, double aspect);
 /// A ruled strip whose triangles are as long as the mesh.

@@ -21,12 +21,13 @@ Mesh MakeComb(int triangles, int teeth, const Function& move)
     [&](int i, int j)
     {
       const int wall = i / steps;
+      const int tooth = wall / 2;
       const double along = static_cast<double>(i % steps) / steps;
       const double z = wall % 2 == 0 ? along : 1.0 - along;
       const double y = static_cast<double>(j) / (rows - 1);
       // A tooth is thin: its two walls are a hundredth of the way to the next one apart.
       const double x =
-        (wall / 2 + (wall % 2 == 0 ? 0.005 * z : 0.01 - 0.005 * z) + (i % steps == 0 ? 0.0 : move(y, z))) / teeth;
+        (tooth + (wall % 2 == 0 ? 0.005 * z : 0.01 - 0.005 * z) + (i % steps == 0 ? 0.0 : move(y, z))) / teeth;
       return Place{ x, y, z };
     });
   return parts.Make();
@@ -111,7 +112,7 @@ Mesh ThinSheets(int triangles, double distance)
 //------------------------------------------------------------------------------
 Mesh Spikes(int triangles)
 {
-  const Mesh sphere = BumpySphere(triangles);
+  Mesh sphere = BumpySphere(triangles);
   MTTestMeshes::Random random(12);
   for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
   {

@@ -57,7 +57,9 @@ Mesh Components(int triangles)
   Parts parts;
   for (int k = 0; k < triangles; ++k)
   {
-    const double x = k % side, y = k / side % side, z = k / side / side;
+    const int row = k / side % side;
+    const int layer = k / side / side;
+    const double x = k % side, y = row, z = layer;
     const vtkIdType first = parts.Add(x, y, z);
     parts.AddTriangle(first, parts.Add(x + 0.5, y, z), parts.Add(x, y + 0.5, z + 0.1));
   }
@@ -236,11 +238,12 @@ Mesh SignedZeros(int triangles)
   const int side = GetSide(triangles) | 1;
   MTTestMeshes::Random random(15);
   Parts parts;
+  const int middle = side / 2;
   parts.AddGrid(side, side,
     [&](int i, int j)
     {
-      const double z = 0.25 * std::max(0, i - side / 2 - 2);
-      return Place{ i == side / 2 ? -0.0 : i - side / 2, j == side / 2 ? -0.0 : j - side / 2,
+      const double z = 0.25 * std::max(0, i - middle - 2);
+      return Place{ i == middle ? -0.0 : i - middle, j == middle ? -0.0 : j - middle,
         z == 0.0 && random.Below(2) == 0 ? -0.0 : z };
     });
   return MTTestMeshes::Soup(parts.Make());
@@ -249,7 +252,7 @@ Mesh SignedZeros(int triangles)
 //------------------------------------------------------------------------------
 Mesh NotFinite(int triangles)
 {
-  const Mesh mesh = Relief(triangles, 0.1);
+  Mesh mesh = Relief(triangles, 0.1);
   MTTestMeshes::Random random(16);
   const double bad[3] = { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
     -std::numeric_limits<double>::infinity() };

@@ -233,7 +233,18 @@ double MTStiffStudy::Result::GetLooseness() const
   double largest = 0.0;
   for (const Level& level : this->Levels)
   {
-    largest = level.Found > 10.0 * this->Step ? std::max(largest, level.Certified / level.Found) : largest;
+    largest = std::max(largest, level.Certified / std::max(level.Found, 10.0 * this->Step));
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+double MTStiffStudy::Result::GetOwnLooseness() const
+{
+  double largest = 0.0;
+  for (const Level& level : this->Levels)
+  {
+    largest = std::max(largest, level.OwnDistance / std::max(level.Found, 10.0 * this->Step));
   }
   return largest;
 }

@@ -38,6 +38,7 @@ public:
   {
     std::uint64_t Triangles = 0;
     double Certified = 0.0;     ///< the largest error in the cut
+    double OwnDistance = 0.0;   ///< the largest of the patches' own certified distances, in either direction
     double MedianError = 0.0;   ///< of the nodes of this level
     double Found = 0.0;         ///< the worst place of either direction
     double ViolatedPatch = 0.0; ///< the largest of what was found in a triangle over its patch's own certified distance
@@ -62,8 +63,9 @@ public:
     std::vector<Level> Levels;
 
     double GetViolation() const; ///< the largest of all levels: at most 1 where certified errors hold
-    /// The largest of certified over found, where what was found is more than ten steps; 0 where it nowhere is.
+    /// The largest of certified over found, of all levels; where less was found than ten steps, over ten steps.
     double GetLooseness() const;
+    double GetOwnLooseness() const;            ///< the same of the patches' own distances
     double GetFlippedShare() const;            ///< the largest of all levels
     std::int64_t GetMadeIntersections() const; ///< the largest of all levels over level 0; -1: not counted
     bool KeepsComponents() const;

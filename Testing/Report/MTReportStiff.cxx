@@ -71,19 +71,22 @@ void AddFigures(const std::vector<Measured>& all, MTReportSection& section)
     { { "case", "" }, { "what", "" }, { "triangles", "" }, { "levels", "" },
       { "build", "CPU s", MTReportTable::Kind::Time }, { "coarsest cut", "triangles" },
       { "its worst place", "% of diagonal" }, { "worst place over certified", "" },
-      { "certified over worst place", "" }, { "flipped", "%" }, { "components kept", "" }, { "Euler number kept", "" },
-      { "intersections at level 0", "" }, { "made", "" }, { "after a rigid motion", "factor" } });
+      { "certified over worst place", "" }, { "by patches' own distances", "" }, { "flipped", "%" },
+      { "components kept", "" }, { "Euler number kept", "" }, { "intersections at level 0", "" }, { "made", "" },
+      { "after a rigid motion", "factor" } });
   for (const Measured& measured : all)
   {
     const MTStiffStudy::Result& result = measured.Result;
     const bool isSearched = result.IsSearched && !result.Levels.empty();
     const auto ifSearched = [isSearched](double figure) { return isSearched ? figure : NotMeasured; };
+    const auto ifPositive = [](double figure) { return figure > 0.0 ? figure : NotMeasured; };
     const auto ifCounted = [&](std::int64_t count) { return ifSearched(count < 0 ? NotMeasured : double(count)); };
     table.AddRow({ measured.Stiff->Name, measured.Stiff->What, result.InputTriangles, result.Levels.size(),
       result.Error.empty() ? result.CpuSeconds : NotMeasured, result.RootTriangles,
       ifSearched(100.0 * result.GetCoarsestShare()), ifSearched(result.GetViolation()),
-      result.GetLooseness() > 0.0 ? result.GetLooseness() : NotMeasured, ifSearched(100.0 * result.GetFlippedShare()),
-      isSearched ? GetAnswer(result.KeepsComponents()) : "-", isSearched ? GetAnswer(result.KeepsEuler()) : "-",
+      ifPositive(result.GetLooseness()), ifPositive(result.GetOwnLooseness()),
+      ifSearched(100.0 * result.GetFlippedShare()), isSearched ? GetAnswer(result.KeepsComponents()) : "-",
+      isSearched ? GetAnswer(result.KeepsEuler()) : "-",
       isSearched ? ifCounted(result.Levels[0].Topology.Intersections) : NotMeasured,
       ifCounted(result.GetMadeIntersections()), measured.Motion });
   }
@@ -269,8 +272,8 @@ void MTReportStiff(MTReportContext& context, MTReportSection& section)
     "Meshes that are hard by their scale, proportions, thinness, topology or content. Each is built, verified, "
     "and searched for the worst place of every level's cut, in both directions: vertices, edges, barycentres, "
     "then hill climbing. What is found is a lower bound of the deviation: over certified it is at most 1 where "
-    "the certified error holds; certified over found says how loose it is, where more than ten steps of the "
-    "lattice were found. Flipped triangles face away from the finest level beside them. Components, Euler "
+    "the certified error holds; certified over found says how loose it is (over ten steps of the lattice "
+    "where less was found). Flipped triangles face away from the finest level beside them. Components, Euler "
     "number and intersections are counted on the lattice with exact predicates.");
   std::vector<Measured> all;
   for (const MTStiffCases::Case& stiff : MTStiffCases::GetCases())

@@ -20,10 +20,16 @@ namespace
 {
 constexpr double NotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-// CPU seconds; where a build took longer, no larger meshes of that kind are built.
+// CPU seconds; a mesh whose build would take longer, as the last two grew, is not built.
 double GetLongestBuild(const MTReportContext& context)
 {
-  return context.IsQuick() ? 1.0 : 60.0;
+  return context.IsQuick() ? 0.5 : 60.0;
+}
+
+double GuessNext(const std::vector<double>& seconds)
+{
+  const std::size_t n = seconds.size();
+  return n == 0 ? 0.0 : seconds[n - 1] * (n == 1 ? 2.0 : std::fmax(2.0, seconds[n - 1] / seconds[n - 2]));
 }
 
 // Median CPU seconds of a build with default settings.
@@ -64,7 +70,7 @@ void AddGrowth(MTReportContext& context, MTReportSection& section)
     std::vector<double> seconds;
     for (int divisor = 8; divisor >= 1; divisor /= 2)
     {
-      const bool isTooLong = !seconds.empty() && !(seconds.back() < GetLongestBuild(context));
+      const bool isTooLong = !(GuessNext(seconds) < GetLongestBuild(context));
       seconds.push_back(isTooLong ? NotMeasured : TimeBuild(stiff, triangles / divisor, context.IsQuick() ? 1 : 3));
       chart.AddPoint(stiff.Name, triangles / divisor, seconds.back());
     }

@@ -16,13 +16,14 @@ void Print(const MTStiffStudy::Result& result)
 {
   std::printf("%d triangles, step %g, diagonal %g, built in %.3f s\n", static_cast<int>(result.InputTriangles),
     result.Step, result.Diagonal, result.CpuSeconds);
-  std::printf("level triangles certified found ratio | patch cut | flipped components Euler crossings\n");
+  std::printf("level triangles certified, its own, found ratio | patch cut | flipped components Euler crossings\n");
   for (std::size_t i = 0; i < result.Levels.size(); ++i)
   {
     const MTStiffStudy::Level& level = result.Levels[i];
-    std::printf("%d %d %g %g %.2f | %.3f %.3f | %d %d %d %d\n", static_cast<int>(i), static_cast<int>(level.Triangles),
-      level.Certified, level.Found, level.Found > 0.0 ? level.Certified / level.Found : 0.0, level.ViolatedPatch,
-      level.ViolatedCut, static_cast<int>(level.Flipped), static_cast<int>(level.Topology.Components),
+    std::printf("%d %d %g %g %g %.2f | %.3f %.3f | %d %d %d %d\n", static_cast<int>(i),
+      static_cast<int>(level.Triangles), level.Certified, level.OwnDistance, level.Found,
+      level.Found > 0.0 ? level.Certified / level.Found : 0.0, level.ViolatedPatch, level.ViolatedCut,
+      static_cast<int>(level.Flipped), static_cast<int>(level.Topology.Components),
       static_cast<int>(level.Topology.Euler), static_cast<int>(level.Topology.Intersections));
   }
 }
