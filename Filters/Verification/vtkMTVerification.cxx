@@ -25,6 +25,15 @@ constexpr std::size_t ValueSamplesLimit = 100000;
 // Triangles of the input that are looked up one by one in the model.
 constexpr std::size_t ComparedTrianglesLimit = 200000;
 
+// Of normals and of values, to show progress by.
+double CountJointMeasures(const vtkMTGraph& graph)
+{
+  const std::string ofValues = vtkMTMeasure::GetValueDeviationName("");
+  const bool hasValues = std::any_of(graph.Measures.begin(), graph.Measures.end(),
+    [&](const vtkMTMeasure& measure) { return measure.Name.compare(0, ofValues.size(), ofValues) == 0; });
+  return (graph.FindMeasure(vtkMTMeasure::NormalDeviation) ? 1.0 : 0.0) + (hasValues ? 1.0 : 0.0);
+}
+
 std::string Join(const std::vector<vtkMTVerifyInput::Source>& sources)
 {
   std::string text;
@@ -66,8 +75,7 @@ bool vtkMTVerification::Run(const Input& input, std::string& error)
   this->Step = 0.0;
   const vtkMTGraph& graph = this->Source.GetGraph();
   const std::size_t measuredCuts = std::min(this->Setting.Cuts, MeasuredCutsLimit);
-  const double joint = (vtkMTNormalSampling(this->Source, 1, 0).HasMeasure() ? 1.0 : 0.0) +
-    (vtkMTValueSampling(this->Source, 1, 0).HasMeasure() ? 1.0 : 0.0);
+  const double joint = CountJointMeasures(graph);
   this->Steps = !input.IsEmpty() ? 4.0 + joint + graph.GetNumberOfLevels() + static_cast<double>(measuredCuts) : 2.0;
   if (!this->TestStructure())
   {

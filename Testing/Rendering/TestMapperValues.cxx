@@ -99,6 +99,12 @@ TEST(MapperValues, ColoursComeNearerToThoseOfTheInputAsTheDeviationFalls)
   EXPECT_LT(differences.back(), 0.5 * differences.front());
   // What is smaller than PixelError is not refined for its values.
   EXPECT_LT(counts.back(), full->GetNumberOfTriangles());
+  mapper->SetValueError(1e6);
+  scene.Render();
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), triangles);
+  mapper->SetErrorMetricArray("another");
+  scene.Render();
+  EXPECT_GT(mapper->GetNumberOfTriangles(), triangles) << "of which nothing is known";
 }
 
 TEST(MapperValues, ModelsWithoutTheMeasureAreDrawnByTheLargerOfDistanceAndEdges)

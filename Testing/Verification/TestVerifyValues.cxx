@@ -47,7 +47,7 @@ Figures Verify(const vtkMTPatchStore& store)
   EXPECT_TRUE(vtkMultiTriangulation::CutToPolyData(store, vtkMTErrorSampling::MakeLevelCut(graph, 0), mesh, error));
   vtkNew<vtkMultiTriangulationVerifier> verifier;
   verifier->SetNumberOfCuts(8);
-  verifier->SetNumberOfSamples(4000);
+  verifier->SetNumberOfSamples(2000);
   EXPECT_TRUE(verifier->Verify(store, [&](std::string&) { return std::make_unique<vtkMTPolyDataStream>(mesh); }))
     << verifier->GetErrorMessage();
   Figures figures;

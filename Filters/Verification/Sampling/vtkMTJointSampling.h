@@ -89,7 +89,7 @@ protected:
     std::size_t Index = 0;
   };
 
-  /// samples: points on each surface. The source must outlive this object. width: numbers for each corner.
+  /// samples: points on each surface. noun: what is tested, "normals". The source must outlive this object.
   vtkMTJointSampling(const vtkMTPatchSource& source, std::size_t samples, std::uint64_t seed, const std::string& noun);
 
   /// Appends the numbers of the corners of one of the patch's triangles, the side's latest.
