@@ -201,6 +201,11 @@ TEST_F(Verify, ErrorsThatAreTooSmallAreFound)
       node.Error *= 0.3;
       node.OwnError *= 0.3;
     }
+    for (vtkMTArc& arc : graph.Arcs)
+    {
+      arc.ToInput *= 0.3f;
+      arc.FromInput *= 0.3f;
+    }
   };
   Rewrite(this->Path("sphere.bmt"), this->Path("bad.bmt"), halve, SamePatch);
   EXPECT_TRUE(this->Report("bad.bmt", false)["ok"]) << "without the input nothing can be seen";
