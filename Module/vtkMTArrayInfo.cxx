@@ -263,11 +263,16 @@ std::string vtkMTArrayInfo::FindUncertifiable(
 {
   for (const std::string& name : names)
   {
-    const auto array =
-      std::find_if(arrays.begin(), arrays.end(), [&name](const vtkMTArrayInfo& info) { return info.Name == name; });
+    const auto isIt = [&name](const vtkMTArrayInfo& info) { return info.Name == name; };
+    const auto array = std::find_if(arrays.begin(), arrays.end(), isIt);
     if (array == arrays.end())
     {
       return "the input has no array \"" + name + "\"";
+    }
+    if (std::find_if(array + 1, arrays.end(), isIt) != arrays.end())
+    {
+      return "the input has two arrays \"" + name +
+        "\", of points and of cells, so the values of neither can be certified";
     }
     if (array->Components != 1)
     {
