@@ -27,7 +27,8 @@ def get_text(name, docstring):
 def get_property(method):
     """The name of what a method sets or gets, as VTK's macros make it."""
     name = re.sub(r"^(Set|Get)", "", method)
-    return re.sub(r"(On|Off|MinValue|MaxValue|To[A-Z]\w*)$", "", name)
+    setters_alone = "" if method.startswith("Get") else r"|To[A-Z]\w*" # SetModeToFast; GetDistanceToInput is a name
+    return re.sub(rf"(On|Off|MinValue|MaxValue{setters_alone})$", "", name)
 
 
 def find_grouped(header):
