@@ -175,8 +175,8 @@ double vtkMTValueDeviation::GetDifference(
     farthest = std::max(farthest, Norm(way));
   }
   const double extent = from.Surface.GetExtent() + to.Surface.GetExtent();
-  const double slack = Rounding * (GetLargest(valuesOfT) + GetLargest(valuesOfS)) + field.Slack * farthest +
-    Rounding * steepness * extent;
+  const double slack =
+    Rounding * (GetLargest(valuesOfT) + GetLargest(valuesOfS)) + field.Slack * farthest + Rounding * steepness * extent;
   return std::min(ofCorners, std::min(largest, largestWithin + field.Steepness * distance) + slack);
 }
 

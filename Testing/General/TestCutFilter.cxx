@@ -138,7 +138,7 @@ TEST(CutFilter, TrianglesHaveTheDistancesOfTheirPatches)
     std::set<double> known;
     for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
     {
-      known.insert((graph.*distance)(arc) * placement.GetStretch());
+      known.insert((graph.*distance)(arc)*placement.GetStretch());
     }
     vtkDataArray* values = filter->GetOutput()->GetCellData()->GetArray(name);
     ASSERT_NE(values, nullptr);
