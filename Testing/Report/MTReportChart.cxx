@@ -39,6 +39,7 @@ void Configure(vtkAxis* axis, const std::string& title, bool isLogarithmic)
 {
   axis->SetTitle(title);
   axis->SetLogScale(isLogarithmic);
+  axis->SetBehavior(vtkAxis::FIXED); // or its range would end at the outermost points, and split their markers
   axis->SetNotation(vtkAxis::PRINTF_NOTATION);
   axis->SetLabelFormat("%g");
   axis->GetTitleProperties()->SetBold(0);
@@ -47,7 +48,7 @@ void Configure(vtkAxis* axis, const std::string& title, bool isLogarithmic)
   axis->GetGridPen()->SetColor(225, 225, 225);
 }
 
-// Whole decades on a logarithmic axis, and some room at both ends of any other.
+// Some room at both ends.
 void SetRange(vtkAxis* axis, double low, double high, bool isLogarithmic)
 {
   if (isLogarithmic)
@@ -58,7 +59,7 @@ void SetRange(vtkAxis* axis, double low, double high, bool isLogarithmic)
     return;
   }
   const double room = high > low ? 0.05 * (high - low) : 0.5 * std::abs(high) + 1e-12;
-  axis->SetRange(low >= 0.0 ? std::max(0.0, low - room) : low - room, high + room);
+  axis->SetRange(low - room, high + room);
 }
 
 void WritePicture(vtkRenderWindow* window, const std::string& path)

@@ -41,7 +41,6 @@ MTReportModel Build(const MTReportContext& context, const MTReportMesh& mesh, in
 std::vector<Tightness> Measure(MTReportContext& context, const MTReportMesh& mesh)
 {
   const MTReportReference reference(mesh.Data);
-  std::vector<double> maxima; // by level from 1 on; they do not depend on what is certified
   std::vector<Tightness> all;
   for (const int levels : DirectLevels)
   {
@@ -52,11 +51,8 @@ std::vector<Tightness> Measure(MTReportContext& context, const MTReportMesh& mes
     for (std::uint32_t level = 1; level < model.GetGraph().GetNumberOfLevels(); ++level)
     {
       const MTReportCut cut = model.CutByLevel(level);
-      if (maxima.size() < level)
-      {
-        maxima.push_back(reference.Measure(cut.Mesh, context.GetSamples()).Maximum);
-      }
-      tightness.Ratios.push_back(cut.Certified / maxima[level - 1]);
+      // Of every model its own: points are rounded by the errors that are certified.
+      tightness.Ratios.push_back(cut.Certified / reference.Measure(cut.Mesh, context.GetSamples()).Maximum);
     }
   }
   for (int repeat = 0; repeat < MTReportContext::Repeats; ++repeat)
