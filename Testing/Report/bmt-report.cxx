@@ -39,7 +39,8 @@ void AddOptions(CLI::App& app, Options& options)
     ->required();
   app.add_flag("--quick", options.IsQuick, "Small meshes and few repeats");
   app.add_option("--part", options.Parts, "A part of the report; several may be named; default: all")
-    ->check(CLI::IsMember(names));
+    ->check(CLI::IsMember(names))
+    ->allow_extra_args(false); // what follows its name is a mesh
   app.add_option("MESH", options.Meshes, "Meshes to measure beside the generated ones");
 }
 
