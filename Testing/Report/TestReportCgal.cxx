@@ -24,10 +24,10 @@ TEST(ReportCgal, DistanceOfTwoTrianglesIsTheOneThatIsKnown)
 
 TEST(ReportCgal, CertifiedErrorsAndWorstPlacesAreOnTheRightSideOfIt)
 {
+  // Where nearly all places are equally far, as on a cylinder, CGAL's search takes minutes.
   int compared = 0;
   double least = 1.0;
-  for (const char* name :
-    { "Double", "Spikes", "Moebius", "Klein", "Cylinder", "WavedComb", "Fan", "TJunctions", "Stretched1e3" })
+  for (const char* name : { "Double", "Spikes", "Moebius", "Klein", "WavedComb", "Fan", "TJunctions", "Stretched1e3" })
   {
     const auto input = MTStiffCases::FindCase(name)->Make(320);
     vtkMTPatchStore store;
