@@ -203,8 +203,8 @@ TEST_F(Verify, ErrorsThatAreTooSmallAreFound)
     }
     for (vtkMTArc& arc : graph.Arcs)
     {
-      arc.ToInput *= 0.3f;
-      arc.FromInput *= 0.3f;
+      arc.ToInput *= 0.29f;
+      arc.FromInput *= 0.29f;
     }
   };
   Rewrite(this->Path("sphere.bmt"), this->Path("bad.bmt"), halve, SamePatch);
