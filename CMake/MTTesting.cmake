@@ -14,7 +14,7 @@ file(MAKE_DIRECTORY "${MT_TEST_OUTPUT_DIRECTORY}")
 add_custom_target(mt_unit_tests)
 set(MT_LAYERS_WITHOUT_WINDOW
   Module Sources Partition Simplification FiltersCore Certification Verification Construction IOCore IO IOMesh IOImage
-  Building RenderingCore General)
+  Building RenderingCore General Stiff)
 # These open windows or run the command. AddressSanitizer looks at some of their tests (CMakePresets.json), without
 # leaks: OpenGL, the X server's libraries and GDAL keep what they have got.
 set(MT_LAYERS_WITH_FOREIGN_LEAKS Rendering ApplicationsRender)
