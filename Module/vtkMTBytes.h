@@ -65,6 +65,32 @@ private:
   std::vector<unsigned char>& Bytes;
 };
 
+/// A list that stays where it was written; it must outlive the view.
+template <typename Value>
+class View
+{
+public:
+  View() = default;
+  View(const unsigned char* bytes, std::size_t size)
+    : Bytes(bytes)
+    , Size(size)
+  {
+  }
+
+  std::size_t size() const { return this->Size; }
+  bool empty() const { return this->Size == 0; }
+  Value operator[](std::size_t i) const
+  {
+    Value value;
+    std::memcpy(&value, this->Bytes + i * sizeof(Value), sizeof(Value)); // bytes have no alignment
+    return value;
+  }
+
+private:
+  const unsigned char* Bytes = nullptr;
+  std::size_t Size = 0;
+};
+
 class Reader
 {
 public:
@@ -95,6 +121,15 @@ public:
     const std::uint64_t size = this->TakeCount(sizeof(Value));
     list.resize(static_cast<std::size_t>(size));
     this->TakeBytes(list.data(), list.size() * sizeof(Value));
+  }
+  template <typename Value>
+  View<Value> TakeView()
+  {
+    const auto size = static_cast<std::size_t>(this->TakeCount(sizeof(Value)));
+    const View<Value> view(this->Next, size);
+    this->Next += size * sizeof(Value);
+    this->Left -= size * sizeof(Value);
+    return view;
   }
   std::string TakeText()
   {

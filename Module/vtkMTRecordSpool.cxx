@@ -95,6 +95,20 @@ bool vtkMTRecordSpool::Take(std::size_t key, std::vector<std::vector<unsigned ch
   return true;
 }
 
+bool vtkMTRecordSpool::Take(
+  std::size_t key, std::size_t place, std::vector<unsigned char>& record, std::string& error) const
+{
+  if (key >= this->GetNumberOfKeys() || place >= this->First[key + 1] - this->First[key])
+  {
+    error = "record " + std::to_string(place) + " under key " + std::to_string(key) + " of " +
+      std::to_string(this->GetNumberOfKeys());
+    return false;
+  }
+  const Entry& entry = this->Entries[this->First[key] + place];
+  record.resize(entry.Size);
+  return this->Spool->Read(entry.Offset, entry.Size, record.data(), error);
+}
+
 std::uint64_t vtkMTRecordSpool::GetSize(std::size_t key) const
 {
   std::uint64_t size = 0;

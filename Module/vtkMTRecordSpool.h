@@ -35,6 +35,8 @@ public:
   bool Seal(std::string& error);
   /// The key's records in the order in which they were put.
   bool Take(std::size_t key, std::vector<std::vector<unsigned char>>& records, std::string& error) const;
+  /// One of the key's records, by its place in that order.
+  bool Take(std::size_t key, std::size_t place, std::vector<unsigned char>& record, std::string& error) const;
   /// Bytes of the key's records together.
   std::uint64_t GetSize(std::size_t key) const;
   std::size_t GetNumberOfKeys() const { return this->First.empty() ? 0 : this->First.size() - 1; }

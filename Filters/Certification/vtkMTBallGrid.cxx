@@ -98,9 +98,12 @@ void vtkMTBallGrid::PutIntoCells(const std::vector<std::uint32_t>& ordinary)
   }
   std::vector<std::uint32_t> next(this->First.begin(), this->First.end() - 1);
   this->InCells.resize(ordinary.size());
+  this->BallsInCells.resize(ordinary.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    this->InCells[next[cells[i]]++] = ordinary[i];
+    const std::uint32_t place = next[cells[i]]++;
+    this->InCells[place] = ordinary[i];
+    this->BallsInCells[place] = this->Balls[ordinary[i]];
   }
 }
 
@@ -124,44 +127,27 @@ void vtkMTBallGrid::MakeRuns()
 }
 
 //------------------------------------------------------------------------------
+vtkMTBallGrid::CellRange vtkMTBallGrid::GetCells(
+  const std::array<double, 3>& low, const std::array<double, 3>& high, double around) const
+{
+  CellRange cells;
+  const double way = around + this->Reach;
+  for (int i = 0; i < 3; ++i)
+  {
+    cells.First[i] = this->GetCell(i, low[i] - way);
+    cells.Last[i] = this->GetCell(i, high[i] + way);
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
 void vtkMTBallGrid::Find(const Ball& ball, std::vector<std::uint32_t>& found) const
 {
   found.clear();
-  for (std::size_t run = 0; run < this->Runs.size(); ++run)
-  {
-    const std::size_t end = std::min(RunLength * (run + 1), this->Large.size());
-    for (std::size_t i = RunLength * run; i < end && Touch(ball, this->Runs[run]); ++i)
+  this->HasTouching(ball,
+    [&](std::uint32_t index)
     {
-      if (Touch(ball, this->Balls[this->Large[i]]))
-      {
-        found.push_back(this->Large[i]);
-      }
-    }
-  }
-  if (this->InCells.empty())
-  {
-    return;
-  }
-  std::array<int, 3> first;
-  std::array<int, 3> last;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double way = ball.Radius + this->Reach;
-    first[i] = this->GetCell(i, ball.Middle[i] - way);
-    last[i] = this->GetCell(i, ball.Middle[i] + way);
-  }
-  for (int z = first[2]; z <= last[2]; ++z)
-  {
-    for (int y = first[1]; y <= last[1]; ++y)
-    {
-      const std::uint32_t end = this->First[this->GetIndex(last[0], y, z) + 1];
-      for (std::uint32_t i = this->First[this->GetIndex(first[0], y, z)]; i < end; ++i)
-      {
-        if (Touch(ball, this->Balls[this->InCells[i]]))
-        {
-          found.push_back(this->InCells[i]);
-        }
-      }
-    }
-  }
+      found.push_back(index);
+      return false;
+    });
 }

@@ -48,37 +48,28 @@ std::vector<Ball> GetBalls(const vtkMTDirectDeviation::Mesh& mesh, double wider)
   return balls;
 }
 
-// Of a triangle.
-struct Box
+// Whether a place is so near to a triangle.
+bool IsWithin(const vtkMTSurface& surface, std::uint32_t t, const Vector& x, double reach)
 {
-  Vector Low;
-  Vector High;
+  const double reach2 = reach * reach;
+  const double limit = 2.0 * reach2 + std::numeric_limits<double>::min(); // farther need not be told exactly
+  return surface.GetDistance2(x, t, limit) <= reach2;
+}
 
-  Box(const vtkMTSurface& surface, std::uint32_t t)
-    : Low(surface.GetCorner(t, 0))
-    , High(this->Low)
+// Around a triangle, and so much wider.
+vtkMTBallGrid::Box GetBox(const vtkMTSurface& surface, std::uint32_t t, double wider)
+{
+  vtkMTBallGrid::Box box{ surface.GetCorner(t, 0), surface.GetCorner(t, 0), wider };
+  for (int c = 1; c < 3; ++c)
   {
-    for (int c = 1; c < 3; ++c)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        this->Low[i] = std::min(this->Low[i], surface.GetCorner(t, c)[i]);
-        this->High[i] = std::max(this->High[i], surface.GetCorner(t, c)[i]);
-      }
-    }
-  }
-
-  double GetDistance2(const Vector& x) const
-  {
-    double distance2 = 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      const double away = std::max({ this->Low[i] - x[i], x[i] - this->High[i], 0.0 });
-      distance2 += away * away;
+      box.Low[i] = std::min(box.Low[i], surface.GetCorner(t, c)[i]);
+      box.High[i] = std::max(box.High[i], surface.GetCorner(t, c)[i]);
     }
-    return distance2;
   }
-};
+  return box;
+}
 
 // Triangles of a range of which more than limit is known, most first.
 std::vector<std::uint32_t> SortAbove(
@@ -117,6 +108,7 @@ public:
     double Loose;               // times the true deviation is near enough
     double TrueDeviation = 0.0; // what is known of it
     double Kept = 0.0;          // what some triangles keep, so that less need not be improved
+    bool IsLast = true;         // no finer mesh follows
   };
 
   Improver(const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known)
@@ -134,8 +126,11 @@ public:
     , MostEffort(EffortPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
   {
     this->UpResult.LowerBound = state.TrueDeviation;
-    this->Up.Share = 1.0; // what is split anyway may as well have a bound that does not decide again
+    // What is split anyway may as well have a bound that does not decide again.
+    this->Up.Share = state.IsLast ? 1.0 : state.Loose;
+    this->Up.IsTrial = !state.IsLast;
     this->Down.Share = state.Loose;
+    this->Down.IsTrial = !state.IsLast;
     for (std::size_t s = 0; s < finer.Known.size(); ++s)
     {
       this->Up.After[s] = finer.Known[s].ToInput;
@@ -181,7 +176,10 @@ public:
       }
       this->FindCandidates(t);
       const double bound = this->BoundCandidates(t, isBound);
-      this->Sought.Kept = std::max(this->Sought.Kept, std::min(bound, known));
+      if (this->Sought.IsLast)
+      {
+        this->Sought.Kept = std::max(this->Sought.Kept, std::min(bound, known));
+      }
       if (bound < known)
       {
         handedOn.push_back(t);
@@ -208,16 +206,18 @@ private:
       return;
     }
     const double known = GetLarger(this->Known[t]);
-    this->FinerBalls.Find(GetBall(this->Fragment, t, known), this->Candidates);
-    this->Effort += this->Candidates.size();
-    const auto isFar = [&, box = Box(this->Fragment, t)](std::uint32_t s)
-    {
-      const Ball& ball = this->FinerBalls.GetBall(s);
-      const double reach2 = (known + ball.Radius) * (known + ball.Radius);
-      return box.GetDistance2(ball.Middle) > reach2 || this->Fragment.GetDistance2(ball.Middle, t, reach2) > reach2;
-    };
-    this->Candidates.erase(
-      std::remove_if(this->Candidates.begin(), this->Candidates.end(), isFar), this->Candidates.end());
+    this->Candidates.clear();
+    this->FinerBalls.HasTouching(GetBox(this->Fragment, t, known),
+      [&](std::uint32_t s)
+      {
+        ++this->Effort;
+        const Ball& ball = this->FinerBalls.GetBall(s);
+        if (IsWithin(this->Fragment, t, ball.Middle, known + ball.Radius))
+        {
+          this->Candidates.push_back(s);
+        }
+        return false;
+      });
     place->second = this->Candidates;
   }
 
@@ -288,14 +288,11 @@ private:
     {
       this->FloorBalls.emplace(GetBalls(this->Floor, 0.0));
     }
-    this->FloorBalls->Find(ball, this->NearFloor);
-    this->Effort += this->NearFloor.size();
-    return std::any_of(this->NearFloor.begin(), this->NearFloor.end(),
+    return this->FloorBalls->HasTouching(ball,
       [&](std::uint32_t f)
       {
-        const double reach = ball.Radius + this->Floor.Known[f].FromInput;
-        return this->Floor.Surface.GetDistance2(ball.Middle, f, std::numeric_limits<double>::infinity()) <=
-          reach * reach;
+        ++this->Effort;
+        return IsWithin(this->Floor.Surface, f, ball.Middle, ball.Radius + this->Floor.Known[f].FromInput);
       });
   }
 
@@ -330,7 +327,6 @@ private:
   std::vector<std::uint32_t> Candidates;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> FoundBefore;
   std::optional<vtkMTBallGrid> FloorBalls;
-  std::vector<std::uint32_t> NearFloor;
   std::size_t Budget;
   const std::size_t MostEffort;
   mutable std::size_t Effort = 0; // balls that were looked at
@@ -373,14 +369,11 @@ vtkMTDirectDeviation::Neighbourhood::Neighbourhood(const Mesh& fragment, const R
 //------------------------------------------------------------------------------
 bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
 {
-  this->Balls->Find(ball, this->Found);
-  return std::any_of(this->Found.begin(), this->Found.end(),
+  return this->Balls->HasTouching(ball,
     [&](std::uint32_t i)
     {
       const std::uint32_t t = this->Triangles[i];
-      const double reach = ball.Radius + GetLarger(this->Fragment.Known[t]);
-      return this->Fragment.Surface.GetDistance2(ball.Middle, t, std::numeric_limits<double>::infinity()) <=
-        reach * reach;
+      return IsWithin(this->Fragment.Surface, t, ball.Middle, ball.Radius + GetLarger(this->Fragment.Known[t]));
     });
 }
 
@@ -389,51 +382,77 @@ bool vtkMTDirectDeviation::Improve(const Mesh& floor, const vtkMTSurface& fragme
   const Aim& aim, const Collect& collect, Deviations& deviations, std::string& error)
 {
   Improver::State state{ aim.Looseness };
-  const Range all{ 0, static_cast<std::uint32_t>(deviations.size()) };
-  const auto improve = [&](const Range& range, double least, bool isProbe, FinerPart& part)
+  // Does something with those of the fragment's triangles that have more than least, beside a finer mesh; part by part
+  // where what is near of that would be too large.
+  const auto forParts =
+    [&](std::size_t levelsBelow, double& least, const std::function<void(Improver&, const Range&)>& run)
   {
-    const vtkMTSurface surface(part.Mesh, origin);
-    Improver improver(floor, fragment, { surface, part.Known }, state, deviations);
-    improver.ImproveToInput(range, isProbe ? least : 0.0);
-    if (!isProbe)
+    std::vector<Range> parts{ { 0, static_cast<std::uint32_t>(deviations.size()) } };
+    while (!parts.empty())
     {
-      improver.ImproveFromInput(range);
+      const Range range = parts.back();
+      parts.pop_back();
+      FinerPart part;
+      part.Most = MostPerTriangle * floor.Surface.GetNumberOfTriangles();
+      if (!collect({ { fragment, deviations }, range, least }, levelsBelow, part, error))
+      {
+        return false;
+      }
+      const bool isTooLarge = part.Mesh.Triangles.size() > part.Most;
+      if (isTooLarge && range.End - range.First > 1)
+      {
+        const std::uint32_t middle = range.First + (range.End - range.First) / 2;
+        parts.push_back({ middle, range.End });
+        parts.push_back({ range.First, middle });
+      }
+      else if (!isTooLarge && !part.Mesh.Triangles.empty())
+      {
+        const vtkMTSurface surface(part.Mesh, origin);
+        Improver improver(floor, fragment, { surface, part.Known }, state, deviations);
+        run(improver, range);
+      }
     }
+    return true;
+  };
+  const double largest = std::nextafter(FindLargest(deviations, Probes), 0.0); // several may have the same
+  double least = largest;
+  const auto probe = [&](Improver& improver, const Range& range)
+  {
+    improver.ImproveToInput(range, largest);
     state = improver.GetState();
   };
-  // Those of a range that have more than least; in halves where the finer mesh that is near would be too large.
-  std::vector<Range> parts{ all };
-  bool isProbe = true;
-  double least = std::nextafter(FindLargest(deviations, Probes), 0.0); // several may have the same
-  while (!parts.empty())
+  if (!forParts(aim.LevelsBelow, least, probe))
   {
-    const Range range = parts.back();
-    parts.pop_back();
-    FinerPart part;
-    part.Most = MostPerTriangle * floor.Surface.GetNumberOfTriangles();
-    if (!collect({ { fragment, deviations }, range, least }, aim.LevelsBelow, part, error))
+    return false;
+  }
+  // Most sums need not be held against the finest mesh: a coarser one makes them small enough, at less effort.
+  std::vector<std::size_t> passes{ aim.LevelsBelow };
+  if (aim.LevelsBelow > NearLevels)
+  {
+    passes.insert(passes.begin(), NearLevels);
+  }
+  for (const std::size_t levelsBelow : passes)
+  {
+    least = state.Loose * state.TrueDeviation;
+    if (!(least > 0.0) || least >= FindLargest(deviations, 0))
+    {
+      break;
+    }
+    state.IsLast = levelsBelow == aim.LevelsBelow;
+    const auto improve = [&](Improver& improver, const Range& range)
+    {
+      improver.ImproveToInput(range, 0.0);
+      improver.ImproveFromInput(range);
+      if (state.IsLast)
+      {
+        state = improver.GetState();
+        least = state.Loose * state.TrueDeviation;
+      }
+    };
+    if (!forParts(levelsBelow, least, improve))
     {
       return false;
     }
-    const bool isTooLarge = part.Mesh.Triangles.size() > part.Most;
-    if (isTooLarge && range.End - range.First > 1)
-    {
-      const std::uint32_t middle = range.First + (range.End - range.First) / 2;
-      parts.push_back({ middle, range.End });
-      parts.push_back({ range.First, middle });
-      continue;
-    }
-    if (!isTooLarge && !part.Mesh.Triangles.empty())
-    {
-      improve(range, least, isProbe, part);
-    }
-    if (isProbe && parts.empty() && state.TrueDeviation > 0.0 &&
-      state.Loose * state.TrueDeviation < FindLargest(deviations, 0))
-    {
-      isProbe = false;
-      parts.push_back(all);
-    }
-    least = isProbe ? least : state.Loose * state.TrueDeviation;
   }
   return true;
 }

@@ -85,7 +85,6 @@ public:
     const Mesh Fragment;
     std::vector<std::uint32_t> Triangles;
     std::optional<vtkMTBallGrid> Balls;
-    mutable std::vector<std::uint32_t> Found;
   };
 
   /// A part of a finer mesh.

@@ -92,7 +92,7 @@ double vtkMTPieceBound::Visit(const Vector& x, std::uint32_t triangle, std::uint
   if (guess == None || getTruth(hit) > this->Result.LowerBound)
   {
     hit = this->Search ? this->Search(x, hit) : this->Tree.FindNearest(x, guess == None ? None : hit.Triangle);
-    if (!this->Tree.IsExhausted())
+    if (!this->IsTrial && !this->Tree.IsExhausted())
     {
       this->Result.LowerBound = std::max(this->Result.LowerBound, getTruth(hit));
     }
@@ -248,6 +248,17 @@ double vtkMTPieceBound::VisitMiddle(Entry& entry)
   return trueHere;
 }
 
+bool vtkMTPieceBound::GivesUp(const Entry& entry, double trueHere)
+{
+  if (!this->IsTrial || this->IsNearEnough(trueHere))
+  {
+    return false;
+  }
+  this->BoundOfTriangle[entry.Shape.Triangle] = std::numeric_limits<double>::infinity();
+  this->Stack.clear();
+  return true;
+}
+
 void vtkMTPieceBound::BoundPiece(Entry& entry)
 {
   double trueHere = 0.0;
@@ -264,7 +275,7 @@ void vtkMTPieceBound::BoundPiece(Entry& entry)
   {
     trueHere = this->VisitMiddle(entry);
     this->Improve(entry, entry.Guess);
-    if (this->Accept(entry, trueHere) || this->CutAlong(entry))
+    if (this->GivesUp(entry, trueHere) || this->Accept(entry, trueHere) || this->CutAlong(entry))
     {
       return;
     }
@@ -332,7 +343,7 @@ void vtkMTPieceBound::Divide(Entry& entry)
     trueAt[i] = this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, nearest[i]);
     trueHere = std::max(trueHere, trueAt[i]);
   }
-  if (this->Accept(entry, trueHere))
+  if (this->GivesUp(entry, trueHere) || this->Accept(entry, trueHere))
   {
     return;
   }

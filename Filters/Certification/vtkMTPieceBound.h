@@ -43,6 +43,9 @@ public:
 
   /// A bound that is no more than so many times the lower bound need not be improved.
   double Share;
+  /// A trial is made where a better mesh to be held against follows: what is known by a place does not raise the lower
+  /// bound, and a triangle of which a place is above what is near enough is given up; its bound is infinite then.
+  bool IsTrial = false;
   /// Whether a ball holds nothing of what is to be bounded: pieces within it are left out. Null: everything is.
   std::function<bool(const Vector& middle, double radius)> IsElsewhere;
   /// Finds the triangle nearest to a place, at most so far away as a guess is, in place of a tree over all. Null: the
@@ -111,6 +114,7 @@ private:
   bool Accept(const Entry& entry, double trueHere);
   bool IsLeftOut(const Piece& piece) const;
   double VisitMiddle(Entry& entry);
+  bool GivesUp(const Entry& entry, double trueHere);
   void CreditPiece(const Entry& entry);
   void CreditBy(const Entry& whole, const Piece& part, std::uint32_t s);
   void BoundPieces(const Entry& whole, std::size_t& budget);

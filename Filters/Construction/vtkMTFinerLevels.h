@@ -76,8 +76,6 @@ private:
     const vtkMTBuildState& state, std::uint32_t region, std::size_t bottom) const;
   static void ListArcs(const vtkMTBuildState& state, bool hasRegions, Level& level);
   static std::uint32_t GetRegion(const vtkMTBuildState& state, const vtkMTBuildState::ArcRecord& arc, bool hasRegions);
-  static bool Append(const Bytes& record, const vtkMTDirectDeviation::Neighbourhood& near, const vtkMTPoint& origin,
-    vtkMTDirectDeviation::FinerPart& part, std::string& error);
 
   std::deque<Level> Levels; // the finest first
 };
