@@ -5,66 +5,109 @@
 
 namespace
 {
-// A half-edge met so far, one of each pair, in a list of those with the same hash value.
+constexpr std::uint32_t None = vtkMTHalfedgePairs::None;
+
+// A half-edge in the bucket of its lower point.
 struct Entry
 {
-  std::uint32_t Low; // the two points
-  std::uint32_t High;
-  std::uint32_t Next; // in the list
-  bool IsOver;        // they cannot be paired: there is a third one, or the two do not fit
+  std::uint32_t High; // its other point
+  std::uint32_t Halfedge;
 };
 
-std::uint32_t Hash(std::uint32_t low, std::uint32_t high)
+// In buckets that are larger, as at hubs, entries are sorted.
+constexpr std::ptrdiff_t Few = 24;
+
+// Runs over the half-edges with their lower and higher point.
+template <typename Use>
+void ForAll(const std::vector<std::uint32_t>& corners, const Use& use)
 {
-  const std::uint32_t mixed = low * 0x9E3779B1u ^ (high - low) * 0x85EBCA77u;
-  return mixed ^ (mixed >> 15);
+  for (std::uint32_t h = 0; h + 2 < corners.size(); h += 3)
+  {
+    const std::uint32_t a = corners[h];
+    const std::uint32_t b = corners[h + 1];
+    const std::uint32_t c = corners[h + 2];
+    use(h, std::min(a, b), std::max(a, b));
+    use(h + 1, std::min(b, c), std::max(b, c));
+    use(h + 2, std::min(c, a), std::max(c, a));
+  }
+}
+
+// Two half-edges, the only ones between their points.
+void Pair(const std::vector<std::uint32_t>& corners, std::uint32_t g, std::uint32_t h, std::uint32_t* opposites)
+{
+  const bool isOpposite = corners[g] != corners[h];
+  if (isOpposite && corners[vtkMTHalfedgePairs::Previous(g)] != corners[vtkMTHalfedgePairs::Previous(h)])
+  {
+    opposites[g] = h;
+    opposites[h] = g;
+  }
+}
+
+// What a bucket of few holds: each entry is compared with all behind it, and taken out with those that are like it.
+void PairFew(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
+{
+  while (end - begin > 1)
+  {
+    const Entry first = *begin++;
+    std::uint32_t partner = None;
+    std::size_t others = 0;
+    for (Entry* entry = begin; entry < end;)
+    {
+      if (entry->High != first.High)
+      {
+        ++entry;
+        continue;
+      }
+      partner = entry->Halfedge;
+      ++others;
+      *entry = *--end;
+    }
+    if (others == 1)
+    {
+      Pair(corners, first.Halfedge, partner, opposites);
+    }
+  }
+}
+
+void PairMany(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
+{
+  std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.High < b.High; });
+  while (begin < end)
+  {
+    const Entry* last = std::find_if(begin, end, [&](const Entry& entry) { return entry.High != begin->High; });
+    if (last - begin == 2)
+    {
+      Pair(corners, begin[0].Halfedge, begin[1].Halfedge, opposites);
+    }
+    begin += last - begin;
+  }
 }
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
 {
-  const auto count = static_cast<std::uint32_t>(corners.size());
-  std::vector<std::uint32_t> opposites(count, None);
-  std::size_t lists = 16;
-  while (lists < corners.size())
+  std::vector<std::uint32_t> opposites(corners.size(), None);
+  if (corners.empty())
   {
-    lists *= 2;
+    return opposites;
   }
-  std::vector<std::uint32_t> first(lists, None);
-  std::vector<Entry> entries(count);
-  for (std::uint32_t h = 0; h < count; ++h)
+  std::vector<std::uint32_t> next(*std::max_element(corners.begin(), corners.end()) + std::size_t(2), 0);
+  ForAll(corners, [&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++next[low + 1]; });
+  for (std::size_t p = 1; p < next.size(); ++p)
   {
-    const std::uint32_t low = std::min(corners[h], corners[Next(h)]);
-    const std::uint32_t high = std::max(corners[h], corners[Next(h)]);
-    std::uint32_t& list = first[Hash(low, high) & (lists - 1)];
-    std::uint32_t known = list;
-    while (known != None && (entries[known].High != high || entries[known].Low != low))
-    {
-      known = entries[known].Next;
-    }
-    if (known == None)
-    {
-      entries[h] = { low, high, list, false };
-      list = h;
-      continue;
-    }
-    std::uint32_t& opposite = opposites[known];
-    if (opposite != None)
-    {
-      opposites[opposite] = None;
-      opposite = None;
-      entries[known].IsOver = true;
-    }
-    else if (corners[known] == corners[h] || corners[Previous(known)] == corners[Previous(h)])
-    {
-      entries[known].IsOver = true;
-    }
-    else if (!entries[known].IsOver)
-    {
-      opposite = h;
-      opposites[h] = known;
-    }
+    next[p] += next[p - 1];
+  }
+  std::vector<Entry> entries(corners.size());
+  ForAll(corners, [&](std::uint32_t h, std::uint32_t low, std::uint32_t high) { entries[next[low]++] = { high, h }; });
+  std::uint32_t begin = 0; // of each bucket, whose end is where the next entry would have gone
+  for (std::size_t p = 0; p + 1 < next.size(); ++p)
+  {
+    Entry* const first = entries.data() + begin;
+    Entry* const last = entries.data() + next[p];
+    last - first > Few ? PairMany(corners, first, last, opposites.data())
+                       : PairFew(corners, first, last, opposites.data());
+    begin = next[p];
   }
   return opposites;
 }

@@ -5,7 +5,8 @@
  *
  * Half-edge h = 3 t + e runs from corner e of triangle t to the next one. Two half-edges are opposite when they are the
  * only two between their points, run in opposite directions, and are not of two triangles with the same three points.
- * Every other half-edge has None, as at a border. Found by hashing, in linear time.
+ * Every other half-edge has None, as at a border. Found from buckets by the lower of the
+ * two points, in linear time but for hubs, whose buckets are sorted.
  */
 #ifndef vtkMTHalfedgePairs_h
 #define vtkMTHalfedgePairs_h

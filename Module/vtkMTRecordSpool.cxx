@@ -9,6 +9,7 @@
 namespace
 {
 constexpr std::size_t BufferSize = std::size_t(1) << 20;
+constexpr std::size_t LargeRecord = std::size_t(1) << 16; // is not copied into the buffer
 }
 
 vtkMTRecordSpool::vtkMTRecordSpool() = default;
@@ -36,6 +37,10 @@ bool vtkMTRecordSpool::Put(std::size_t key, const void* data, std::size_t size, 
   }
   this->Entries.push_back({ this->Spool->GetSize() + this->Buffer.size(), static_cast<std::uint32_t>(size),
     static_cast<std::uint32_t>(key) });
+  if (size >= LargeRecord)
+  {
+    return this->Flush(error) && this->Spool->Append(data, size, error);
+  }
   const unsigned char* bytes = static_cast<const unsigned char*>(data);
   this->Buffer.insert(this->Buffer.end(), bytes, bytes + size);
   return this->Buffer.size() < BufferSize || this->Flush(error);

@@ -48,6 +48,10 @@ set(CPACK_COMPONENT_GROUP_RUNTIME_DESCRIPTION "Reads, cuts, verifies and draws M
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME multitriangulation-tools)
 set(CPACK_COMPONENT_GROUP_TOOLS_DESCRIPTION "Builds Multi-Triangulations, and the command bmt (GPL)")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${CPACK_DEBIAN_RUNTIME_PACKAGE_NAME} ${version}")
+# It is loaded by name (IO/Image/vtkMTGdalLibrary.h), so that dpkg does not see that it is used.
+if (MT_GDAL_NAME MATCHES "^(libgdal)\\.so\\.([0-9]+)")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "${CMAKE_MATCH_1}${CMAKE_MATCH_2}")
+endif ()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-multitriangulation)
 set(CPACK_COMPONENT_GROUP_PYTHON_DESCRIPTION "Multi-Triangulations in Python, beside VTK's package")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS

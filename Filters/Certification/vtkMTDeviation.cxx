@@ -3,6 +3,7 @@
 
 #include "vtkMTOverlay.h"
 #include "vtkMTPieceBound.h"
+#include "vtkMTRoundUp.h"
 #include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
 
@@ -14,12 +15,6 @@ namespace
 {
 constexpr std::uint32_t None = vtkMTSurface::None;
 using Place = vtkMTOverlay::Place;
-
-float RoundUp(double value)
-{
-  const float rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
 
 // A triangle with the bound that it would have.
 struct Doubtful
@@ -279,17 +274,17 @@ private:
         const bool isUp = cell.CoversFragment && this->IsUpByCells[cell.Triangle];
         if (isDown || isUp)
         {
-          pairs.push_back({ t, cell.Triangle, RoundUp(cell.Distance), isDown, isUp });
+          pairs.push_back({ t, cell.Triangle, vtkMTRoundUp::ToFloat(cell.Distance), isDown, isUp });
         }
       }
     }
     for (const vtkMTPieceBound::Credited& piece : this->Down.GetCredited())
     {
-      pairs.push_back({ piece.From, piece.To, RoundUp(piece.Distance), true, false });
+      pairs.push_back({ piece.From, piece.To, vtkMTRoundUp::ToFloat(piece.Distance), true, false });
     }
     for (const vtkMTPieceBound::Credited& piece : this->Up.GetCredited())
     {
-      pairs.push_back({ piece.To, piece.From, RoundUp(piece.Distance), false, true });
+      pairs.push_back({ piece.To, piece.From, vtkMTRoundUp::ToFloat(piece.Distance), false, true });
     }
   }
 
@@ -299,8 +294,8 @@ private:
     for (std::size_t s = 0; s < findings.Deviations.size(); ++s)
     {
       vtkMTTriangleDeviation& deviation = findings.Deviations[s];
-      deviation.ToInput = RoundUp(this->Up.GetBoundOfTriangle()[s]);
-      deviation.FromInput = RoundUp(this->Down.GetBoundOnTriangle()[s]);
+      deviation.ToInput = vtkMTRoundUp::ToFloat(this->Up.GetBoundOfTriangle()[s]);
+      deviation.FromInput = vtkMTRoundUp::ToFloat(this->Down.GetBoundOnTriangle()[s]);
       this->Result.UpperBound =
         std::max({ this->Result.UpperBound, double(deviation.ToInput), double(deviation.FromInput) });
     }

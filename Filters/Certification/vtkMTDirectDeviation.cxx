@@ -2,6 +2,7 @@
 #include "vtkMTDirectDeviation.h"
 
 #include "vtkMTPieceBound.h"
+#include "vtkMTRoundUp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +21,6 @@ using Ball = vtkMTBallGrid::Ball;
 using Deviations = vtkMTDirectDeviation::Deviations;
 using Range = vtkMTDirectDeviation::Range;
 using Vector = vtkMTSurface::Vector;
-
-float RoundUp(double value)
-{
-  const float rounded = static_cast<float>(value);
-  return rounded < value ? std::nextafter(rounded, std::numeric_limits<float>::infinity()) : rounded;
-}
 
 double GetLarger(const vtkMTTriangleDeviation& deviation)
 {
@@ -156,7 +151,7 @@ public:
       if (!this->Candidates.empty())
       {
         this->Up.Bound(t, { None, None, None }, this->Budget);
-        known = std::min(known, RoundUp(this->Up.GetBoundOfTriangle()[t]));
+        known = std::min(known, vtkMTRoundUp::ToFloat(this->Up.GetBoundOfTriangle()[t]));
       }
     }
     this->Sought.TrueDeviation = this->UpResult.LowerBound;
@@ -308,7 +303,7 @@ private:
       if (isHanded[piece.From])
       {
         float& known = this->Known[piece.To].FromInput;
-        known = std::max(known, RoundUp(this->Down.Before[piece.From] + piece.Distance));
+        known = std::max(known, vtkMTRoundUp::ToFloat(this->Down.Before[piece.From] + piece.Distance));
       }
     }
   }

@@ -7,6 +7,7 @@
 #include "vtkMTDeviation.h"
 #include "vtkMTDirectDeviation.h"
 #include "vtkMTPatchSplitter.h"
+#include "vtkMTRoundUp.h"
 #include "vtkMTShadingNormals.h"
 #include "vtkMTSimplifier.h"
 #include "vtkMTStageTimes.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace
@@ -305,8 +305,7 @@ void vtkMTRegionStep::RoundPoints(std::vector<vtkMTTriangleDeviation>& deviation
   const double way =
     vtkMTCoarsePoints::Round(this->Fragment.Mesh, vtkMTCoarsePoints::ChooseShift(this->Error, this->EdgeLength));
   // A bound in double precision is a bound still after one more rounding up.
-  const auto add = [](double sum)
-  { return std::nextafter(static_cast<float>(sum), std::numeric_limits<float>::infinity()); };
+  const auto add = [](double sum) { return vtkMTRoundUp::GetNext(static_cast<float>(sum)); };
   for (std::size_t t = 0; t < deviations.size() && way > 0.0; ++t)
   {
     vtkMTTriangleDeviation& deviation = deviations[t];

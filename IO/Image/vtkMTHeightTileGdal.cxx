@@ -4,11 +4,7 @@
 
 #ifdef MT_HAS_GDAL
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
-#include <gdal.h>
-#include <gdal_frmts.h>
-#include <ogr_srs_api.h>
+#include "vtkMTGdalLibrary.h"
 
 #include <cmath>
 #include <limits>
@@ -16,42 +12,63 @@
 
 namespace
 {
+using Gdal = vtkMTGdalLibrary;
+
 struct Close
 {
-  void operator()(void* dataset) const { GDALClose(dataset); }
+  const Gdal& Library;
+  void operator()(void* dataset) const { this->Library.GDALClose(dataset); }
 };
 
-std::string GetMessage(const char* otherwise)
+// Errors are taken from GDAL, which then prints none.
+class Quiet
 {
-  const std::string message = CPLGetLastErrorMsg();
+public:
+  explicit Quiet(const Gdal& gdal)
+    : Library(gdal)
+  {
+    this->Library.CPLPushErrorHandler(this->Library.CPLQuietErrorHandler);
+    this->Library.CPLErrorReset();
+  }
+  ~Quiet() { this->Library.CPLPopErrorHandler(); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+private:
+  const Gdal& Library;
+};
+
+std::string GetMessage(const Gdal& gdal, const char* otherwise)
+{
+  const std::string message = gdal.CPLGetLastErrorMsg();
   return message.empty() ? otherwise : message;
 }
 
 // Degrees, or else metres per unit of the projection; with the name of the system where coordinates stay as they are.
-bool FindUnit(GDALDatasetH dataset, bool& isGeographic, double& unit, std::string& crs)
+bool FindUnit(const Gdal& gdal, GDALDatasetH dataset, bool& isGeographic, double& unit, std::string& crs)
 {
-  OGRSpatialReferenceH system = GDALGetSpatialRef(dataset);
-  isGeographic = system && OSRIsGeographic(system) != 0;
-  unit = system && !isGeographic ? OSRGetLinearUnits(system, nullptr) : 1.0;
-  const char* authority = system ? OSRGetAuthorityName(system, nullptr) : nullptr;
-  const char* code = system ? OSRGetAuthorityCode(system, nullptr) : nullptr;
+  OGRSpatialReferenceH system = gdal.GDALGetSpatialRef(dataset);
+  isGeographic = system && gdal.OSRIsGeographic(system) != 0;
+  unit = system && !isGeographic ? gdal.OSRGetLinearUnits(system, nullptr) : 1.0;
+  const char* authority = system ? gdal.OSRGetAuthorityName(system, nullptr) : nullptr;
+  const char* code = system ? gdal.OSRGetAuthorityCode(system, nullptr) : nullptr;
   char* text = nullptr;
   if (authority && code && unit == 1.0)
   {
     crs = std::string(authority) + ':' + code;
   }
-  else if (system && unit == 1.0 && OSRExportToWkt(system, &text) == OGRERR_NONE && text)
+  else if (system && unit == 1.0 && gdal.OSRExportToWkt(system, &text) == OGRERR_NONE && text)
   {
     crs = text;
   }
-  CPLFree(text);
+  gdal.VSIFree(text);
   return unit > 0.0;
 }
 
 // Metres per unit of the heights: metres where the file names no other.
-double GetHeightUnit(GDALRasterBandH band)
+double GetHeightUnit(const Gdal& gdal, GDALRasterBandH band)
 {
-  const std::string unit = GDALGetRasterUnitType(band);
+  const std::string unit = gdal.GDALGetRasterUnitType(band);
   const bool isSurvey = unit == "us-ft" || unit == "US survey foot" || unit == "ftUS";
   return isSurvey ? 1200.0 / 3937.0 : unit == "ft" || unit == "foot" || unit == "feet" ? 0.3048 : 1.0;
 }
@@ -60,22 +77,23 @@ double GetHeightUnit(GDALRasterBandH band)
 class Band
 {
 public:
-  explicit Band(GDALRasterBandH band, std::size_t columns)
-    : Raster(band)
+  Band(const Gdal& gdal, GDALRasterBandH band, std::size_t columns)
+    : Library(gdal)
+    , Raster(band)
     , Values(columns)
   {
     int hasNoData = 0;
-    const double noData = GDALGetRasterNoDataValue(band, &hasNoData);
+    const double noData = gdal.GDALGetRasterNoDataValue(band, &hasNoData);
     this->NoData = hasNoData != 0 ? noData : std::numeric_limits<double>::quiet_NaN();
-    this->IsSingle = GDALGetRasterDataType(band) == GDT_Float32;
+    this->IsSingle = gdal.GDALGetRasterDataType(band) == GDT_Float32;
     int hasScale = 0;
     int hasOffset = 0;
-    const double scale = GDALGetRasterScale(band, &hasScale);
-    const double offset = GDALGetRasterOffset(band, &hasOffset);
+    const double scale = gdal.GDALGetRasterScale(band, &hasScale);
+    const double offset = gdal.GDALGetRasterOffset(band, &hasOffset);
     this->Scale = hasScale != 0 ? scale : 1.0;
     this->Offset = hasOffset != 0 ? offset : 0.0;
-    this->Unit = GetHeightUnit(band);
-    if ((GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0)
+    this->Unit = GetHeightUnit(gdal, band);
+    if ((gdal.GDALGetMaskFlags(band) & (GMF_PER_DATASET | GMF_ALPHA)) != 0)
     {
       this->Mask.resize(columns);
     }
@@ -83,12 +101,13 @@ public:
 
   bool Read(std::size_t row)
   {
+    const Gdal& gdal = this->Library;
     const int columns = static_cast<int>(this->Values.size());
-    return GDALRasterIO(this->Raster, GF_Read, 0, static_cast<int>(row), columns, 1, this->Values.data(), columns, 1,
-             GDT_Float64, 0, 0) == CE_None &&
+    return gdal.GDALRasterIO(this->Raster, GF_Read, 0, static_cast<int>(row), columns, 1, this->Values.data(), columns,
+             1, GDT_Float64, 0, 0) == CE_None &&
       (this->Mask.empty() ||
-        GDALRasterIO(GDALGetMaskBand(this->Raster), GF_Read, 0, static_cast<int>(row), columns, 1, this->Mask.data(),
-          columns, 1, GDT_Byte, 0, 0) == CE_None);
+        gdal.GDALRasterIO(gdal.GDALGetMaskBand(this->Raster), GF_Read, 0, static_cast<int>(row), columns, 1,
+          this->Mask.data(), columns, 1, GDT_Byte, 0, 0) == CE_None);
   }
 
   float Get(std::size_t column) const
@@ -104,6 +123,7 @@ public:
   }
 
 private:
+  const Gdal& Library;
   GDALRasterBandH Raster;
   std::vector<double> Values;
   std::vector<unsigned char> Mask;
@@ -115,14 +135,15 @@ private:
 };
 
 // Rows from the south, columns from the west, whatever the file's order.
-bool ReadHeights(GDALRasterBandH raster, bool isFromEast, bool isFromSouth, vtkMTHeightTile& tile, std::string& error)
+bool ReadHeights(const Gdal& gdal, GDALRasterBandH raster, bool isFromEast, bool isFromSouth, vtkMTHeightTile& tile,
+  std::string& error)
 {
-  Band band(raster, tile.Columns);
+  Band band(gdal, raster, tile.Columns);
   for (std::size_t r = 0; r < tile.Rows; ++r)
   {
     if (!band.Read(r))
     {
-      error = GetMessage("its samples cannot be read");
+      error = GetMessage(gdal, "its samples cannot be read");
       return false;
     }
     float* heights = tile.Heights.data() + (isFromSouth ? r : tile.Rows - 1 - r) * tile.Columns;
@@ -137,28 +158,30 @@ bool ReadHeights(GDALRasterBandH raster, bool isFromEast, bool isFromSouth, vtkM
 
 bool vtkMTHeightTile::ReadGdal(std::string& error)
 {
-  static const bool registered = [] { return GDALRegister_GTiff(), true; }();
-  static_cast<void>(registered);
-  CPLPushErrorHandler(CPLQuietErrorHandler);
-  const std::unique_ptr<void, void (*)(void*)> handler(this, [](void*) { CPLPopErrorHandler(); });
-  CPLErrorReset();
-  const std::unique_ptr<void, Close> dataset(GDALOpen(this->Path.c_str(), GA_ReadOnly));
-  double transform[6];
-  if (!dataset || GDALGetRasterCount(dataset.get()) < 1)
+  const Gdal* const library = Gdal::Get(error);
+  if (!library)
   {
-    error = GetMessage("is no GeoTIFF");
     return false;
   }
-  if (GDALGetGeoTransform(dataset.get(), transform) != CE_None || transform[2] != 0.0 || transform[4] != 0.0 ||
+  const Gdal& gdal = *library;
+  const Quiet quiet(gdal);
+  const std::unique_ptr<void, Close> dataset(gdal.GDALOpen(this->Path.c_str(), GA_ReadOnly), Close{ gdal });
+  double transform[6];
+  if (!dataset || gdal.GDALGetRasterCount(dataset.get()) < 1)
+  {
+    error = GetMessage(gdal, "is no GeoTIFF");
+    return false;
+  }
+  if (gdal.GDALGetGeoTransform(dataset.get(), transform) != CE_None || transform[2] != 0.0 || transform[4] != 0.0 ||
     transform[1] == 0.0 || transform[5] == 0.0)
   {
     error = "has no place on the Earth, or rows that do not run along a parallel; warp it first (gdalwarp)";
     return false;
   }
   double unit = 1.0;
-  this->Columns = static_cast<std::size_t>(GDALGetRasterXSize(dataset.get()));
-  this->Rows = static_cast<std::size_t>(GDALGetRasterYSize(dataset.get()));
-  if (this->Columns < 2 || this->Rows < 2 || !FindUnit(dataset.get(), this->IsGeographic, unit, this->Crs))
+  this->Columns = static_cast<std::size_t>(gdal.GDALGetRasterXSize(dataset.get()));
+  this->Rows = static_cast<std::size_t>(gdal.GDALGetRasterYSize(dataset.get()));
+  if (this->Columns < 2 || this->Rows < 2 || !FindUnit(gdal, dataset.get(), this->IsGeographic, unit, this->Crs))
   {
     error = "is smaller than 2 x 2 samples, or its unit is unknown";
     return false;
@@ -172,7 +195,7 @@ bool vtkMTHeightTile::ReadGdal(std::string& error)
   this->West = transform[0] * unit + (isFromEast ? 0.5 - static_cast<double>(this->Columns) : 0.5) * this->StepX;
   this->South = transform[3] * unit + (isFromSouth ? 0.5 : 0.5 - static_cast<double>(this->Rows)) * this->StepY;
   this->Heights.resize(this->Columns * this->Rows);
-  return ReadHeights(GDALGetRasterBand(dataset.get(), 1), isFromEast, isFromSouth, *this, error);
+  return ReadHeights(gdal, gdal.GDALGetRasterBand(dataset.get(), 1), isFromEast, isFromSouth, *this, error);
 }
 
 #else

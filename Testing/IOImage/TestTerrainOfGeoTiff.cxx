@@ -2,6 +2,7 @@
 // Terrain of GeoTIFF: where samples lie, and tiles that meet, overlap or are apart. Only where GDAL is built in.
 #include "MTIOTest.h"
 
+#include "vtkMTGdalLibrary.h"
 #include "vtkMTTerrain.h"
 
 #include "vtkNew.h"
@@ -259,4 +260,16 @@ TEST(TerrainOfGeoTiff, TheTilesOfTheReportsAreOneSurface)
   EXPECT_EQ(figures.Triangles, 4582);
   EXPECT_EQ(figures.Components, 1);
   EXPECT_EQ(figures.Frame.Crs.find("+proj=eqc +lat_ts=45.98"), 0u) << figures.Frame.Crs;
+}
+
+TEST(TerrainOfGeoTiff, ALibraryThatIsNotThereIsAnErrorThatSaysWhatToDo)
+{
+  vtkMTGdalLibrary library;
+  std::string error;
+  EXPECT_FALSE(library.Load("libgdal-that-is-not-there.so", error));
+  EXPECT_NE(error.find("libgdal-that-is-not-there.so"), std::string::npos) << error;
+  EXPECT_NE(error.find("install it"), std::string::npos) << error;
+  EXPECT_FALSE(library.Load("libz.so.1", error)) << "a library without its functions";
+  EXPECT_NE(error.find("has no function"), std::string::npos) << error;
+  EXPECT_TRUE(vtkMTGdalLibrary::Get(error)) << error;
 }
