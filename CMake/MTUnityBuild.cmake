@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Compiles several sources of a module as one (CMake's unity build): most of the time of a first build goes into the
-# headers of VTK. For builds of which single sources are not changed: the ParaView plugin and the sanitizers'.
+# headers of VTK. For builds of which single sources are not changed: the release preset, which ./quickstart and
+# ./runtests build, the ParaView plugin and the sanitizers'. The preset "dev" compiles each source by itself.
 option(MT_UNITY_BUILD "Compile several sources of a module as one" OFF)
 
 # Sources whose names in unnamed namespaces meet those of others.
@@ -51,5 +52,44 @@ function (mt_unity_build)
           PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
       endif ()
     endforeach ()
+  endforeach ()
+endfunction ()
+
+# Tests of one program whose names in unnamed namespaces meet those of others.
+set(mt_single_tests
+  Certification/TestTriangleDeviation.cxx
+  Construction/TestExactPoints.cxx
+  Construction/TestFarOutliers.cxx
+  Construction/TestOutOfCore.cxx
+  IO/TestFile.cxx
+  IO/TestGolden.cxx
+  IOMesh/TestMeshReader.cxx
+  IOMesh/TestObjReader.cxx
+  Rendering/TestMapperAgainstPolyDataMapper.cxx
+  Rendering/TestMapperLimits.cxx
+  Rendering/TestMapperPasses.cxx
+  Rendering/TestMapperPicking.cxx
+  Rendering/TestMapperPlacement.cxx
+  Rendering/TestMapperPrecision.cxx
+  Rendering/TestMapperSharing.cxx
+  Rendering/TestMapperValues.cxx
+  RenderingCore/TestPatchLoader.cxx
+  RenderingCore/TestTargetCutView.cxx
+  Simplification/TestModes.cxx
+  Simplification/TestRegions.cxx
+  Verification/TestVerifyVolumeInput.cxx)
+
+# mt_unity_build_test(<target>): the same for a program of tests, whose sources lie in the current folder.
+function (mt_unity_build_test target)
+  if (NOT MT_UNITY_BUILD)
+    return ()
+  endif ()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  foreach (source IN LISTS mt_single_tests)
+    if (source MATCHES "^${folder}/(.+)$")
+      set_source_files_properties("${CMAKE_MATCH_1}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif ()
   endforeach ()
 endfunction ()
