@@ -145,7 +145,10 @@ public:
     const vtkMTPatch betweenMesh = this->Heights.MakeMesh(2);
     const vtkMTSurface between(betweenMesh, Origin);
     vtkMTDeviation::Findings ofBetween;
-    vtkMTDeviation::Between(this->Finer, between, { {}, this->OfFiner }, ofBetween);
+    if (levelsBelow > vtkMTDirectDeviation::NearLevels)
+    {
+      vtkMTDeviation::Between(this->Finer, between, { {}, this->OfFiner }, ofBetween);
+    }
     const auto collect = [&](const vtkMTDirectDeviation::Neighbourhood& near, std::size_t below,
                            vtkMTDirectDeviation::FinerPart& part, std::string&)
     {
