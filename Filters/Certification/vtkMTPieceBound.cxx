@@ -151,9 +151,16 @@ void vtkMTPieceBound::Bound(std::uint32_t triangle, const std::array<std::uint32
   }
   if (!this->Accept(whole, 0.0))
   {
-    whole.Guess = whole.Best.Triangle;
+    // From one triangle of a hub to the one that lies below it may be far, past all the others.
+    whole.Guess = this->TouchesHub(whole.Best.Triangle) ? None : whole.Best.Triangle;
     this->BoundPieces(whole, budget);
   }
+}
+
+bool vtkMTPieceBound::TouchesHub(std::uint32_t s) const
+{
+  return this->To.IsHub(this->To.GetPoint(3 * s)) || this->To.IsHub(this->To.GetPoint(3 * s + 1)) ||
+    this->To.IsHub(this->To.GetPoint(3 * s + 2));
 }
 
 // Holds the piece against one triangle: its largest corner distance.

@@ -113,6 +113,7 @@ private:
   void Improve(Entry& entry, std::uint32_t s) const;
   bool Accept(const Entry& entry, double trueHere);
   bool IsLeftOut(const Piece& piece) const;
+  bool TouchesHub(std::uint32_t s) const;
   double VisitMiddle(Entry& entry);
   bool GivesUp(const Entry& entry, double trueHere);
   void CreditPiece(const Entry& entry);

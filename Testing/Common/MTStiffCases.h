@@ -31,7 +31,6 @@ struct Limits
 
   ///@{
   /// These limits with one of them changed.
-  Limits WithLooseness(double limit) const;
   Limits WithFlipped(double share) const;
   Limits WithIntersections(double count) const;
   Limits WithRoot(double targets) const;
