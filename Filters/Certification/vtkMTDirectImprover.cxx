@@ -192,9 +192,15 @@ void vtkMTDirectImprover::FindCandidates(std::uint32_t t)
 }
 
 //------------------------------------------------------------------------------
-// The nearest of the candidates, or the guess.
-vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTSurface::Hit& guess) const
+// The nearest of the candidates, or the guess. Where looking has taken too long already, any of them: it then says
+// nothing of the truth, and the triangle is given up.
+vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTSurface::Hit& guess)
 {
+  if (this->IsExhausted())
+  {
+    this->Up.IsTrial = true;
+    return guess.Triangle == None ? this->Finer.Surface.Project(x, this->Candidates.front()) : guess;
+  }
   vtkMTSurface::Hit nearest = guess;
   Ball here{ x, std::sqrt(nearest.Distance2) };
   this->Effort += this->Candidates.size();

@@ -56,7 +56,7 @@ private:
   bool IsExhausted() const { return this->Effort > this->MostEffort; }
   double GetLimit() const;
   void FindCandidates(std::uint32_t t);
-  vtkMTSurface::Hit FindNearest(const Vector& x, const vtkMTSurface::Hit& guess) const;
+  vtkMTSurface::Hit FindNearest(const Vector& x, const vtkMTSurface::Hit& guess);
   double BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound);
   void BoundCandidate(std::uint32_t s, std::uint32_t t);
   void BoundAgain(std::uint32_t s, std::uint32_t guess);
@@ -79,7 +79,7 @@ private:
   std::optional<vtkMTBallGrid> FloorBalls;
   std::size_t Budget;
   const std::size_t MostEffort;
-  mutable std::size_t Effort = 0; // balls that were looked at
+  std::size_t Effort = 0; // balls that were looked at
 };
 
 #endif
