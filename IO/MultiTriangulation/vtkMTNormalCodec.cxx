@@ -114,17 +114,53 @@ std::uint16_t FromZigzag(std::uint32_t code)
   return static_cast<std::uint16_t>((code >> 1) ^ (0u - (code & 1)));
 }
 
-std::vector<unsigned char> EncodeAgainst(const Places& expected, const Places& places, int bits, bool ofPoints)
+// The wedges of a patch in blocks: first those of shared points, then the others.
+class Blocks
+{
+public:
+  explicit Blocks(const vtkMTPatch& patch)
+    : Wedges(patch.GetNumberOfWedges())
+    , Shared(patch.Ids.size())
+  {
+    if (!patch.WedgePoints.empty())
+    {
+      const auto isShared = [&patch](std::uint32_t point) { return point < patch.Ids.size(); };
+      this->Shared = static_cast<std::size_t>(
+        std::find_if_not(patch.WedgePoints.begin(), patch.WedgePoints.end(), isShared) - patch.WedgePoints.begin());
+    }
+    this->OfShared = vtkMTRiceCode::GetNumberOfBlocks(this->Shared);
+    this->Count = this->OfShared + vtkMTRiceCode::GetNumberOfBlocks(this->Wedges - this->Shared);
+  }
+  std::size_t GetCount() const { return this->Count; }
+  bool IsOfShared(std::size_t block) const { return block < this->OfShared; }
+  std::size_t GetBegin(std::size_t block) const
+  {
+    return this->IsOfShared(block) ? block * BlockSize : this->Shared + (block - this->OfShared) * BlockSize;
+  }
+  std::size_t GetEnd(std::size_t block) const
+  {
+    return std::min(this->GetBegin(block) + BlockSize, this->IsOfShared(block) ? this->Shared : this->Wedges);
+  }
+  std::size_t GetSize(std::size_t block) const { return this->GetEnd(block) - this->GetBegin(block); }
+
+private:
+  std::size_t Wedges;
+  std::size_t Shared;
+  std::size_t OfShared = 0;
+  std::size_t Count = 0;
+};
+
+std::vector<unsigned char> EncodeAgainst(
+  const Places& expected, const Places& places, const Blocks& blocks, int bits, bool ofPoints)
 {
   const Net net(bits);
-  const std::size_t wedges = places[0].size();
   std::array<std::vector<std::uint32_t>, 2> codes; // of blocks that have differences
-  std::vector<unsigned char> parameters(vtkMTRiceCode::GetNumberOfBlocks(wedges), AsExpected);
+  std::size_t ofShared = 0;
+  std::vector<unsigned char> parameters(blocks.GetCount(), AsExpected);
   for (std::size_t block = 0; block < parameters.size(); ++block)
   {
     const std::size_t known = codes[0].size();
-    const std::size_t end = std::min(wedges, (block + 1) * BlockSize);
-    for (std::size_t w = block * BlockSize; w < end; ++w)
+    for (std::size_t w = blocks.GetBegin(block); w < blocks.GetEnd(block); ++w)
     {
       const std::array<std::uint16_t, 2> difference =
         net.Subtract({ places[0][w], places[1][w] }, { expected[0][w], expected[1][w] });
@@ -134,9 +170,10 @@ std::vector<unsigned char> EncodeAgainst(const Places& expected, const Places& p
     }
     codes[0].resize(parameters[block] == AsExpected ? known : codes[0].size());
     codes[1].resize(codes[0].size());
+    ofShared = blocks.IsOfShared(block) ? codes[0].size() : ofShared;
   }
-  const std::array<vtkMTRiceCode::Coded, 2> coded{ vtkMTRiceCode::Encode(codes[0], MostParameter),
-    vtkMTRiceCode::Encode(codes[1], MostParameter) };
+  const std::array<vtkMTRiceCode::Coded, 2> coded{ vtkMTRiceCode::Encode(codes[0], MostParameter, ofShared),
+    vtkMTRiceCode::Encode(codes[1], MostParameter, ofShared) };
   std::size_t next = 0;
   for (unsigned char& parameter : parameters)
   {
@@ -167,33 +204,31 @@ bool IsSound(const NormalRecord& record)
 class Codes
 {
 public:
-  bool Start(const NormalRecord& record, const unsigned char* data, std::size_t size, std::size_t wedges)
+  bool Start(const NormalRecord& record, const unsigned char* data, std::size_t size, const Blocks& blocks)
   {
-    const std::size_t blocks = vtkMTRiceCode::GetNumberOfBlocks(wedges);
-    if (size < sizeof(record) || size - sizeof(record) < blocks)
+    if (size < sizeof(record) || size - sizeof(record) < blocks.GetCount())
     {
       return false;
     }
     this->Parameters = data + sizeof(record);
     std::size_t lowSizes[2] = { 0, 0 };
-    for (std::size_t block = 0; block < blocks; ++block)
+    for (std::size_t block = 0; block < blocks.GetCount(); ++block)
     {
-      const std::size_t count = std::min(BlockSize, wedges - block * BlockSize);
       for (std::size_t k = 0; k < 2 && !this->IsAsExpected(block); ++k)
       {
         if (this->GetParameter(block, k) > MostParameter)
         {
           return false;
         }
-        lowSizes[k] += vtkMTRiceCode::GetLowSize(count, this->GetParameter(block, k));
+        lowSizes[k] += vtkMTRiceCode::GetLowSize(blocks.GetSize(block), this->GetParameter(block, k));
       }
     }
-    const std::size_t before = sizeof(record) + blocks + lowSizes[0] + lowSizes[1];
+    const std::size_t before = sizeof(record) + blocks.GetCount() + lowSizes[0] + lowSizes[1];
     if (before > size || record.UnarySize > size - before)
     {
       return false;
     }
-    const unsigned char* const low = this->Parameters + blocks;
+    const unsigned char* const low = this->Parameters + blocks.GetCount();
     const unsigned char* const unary = data + before;
     this->Readers = { vtkMTRiceCode::Reader(low, unary, record.UnarySize),
       vtkMTRiceCode::Reader(low + lowSizes[0], unary + record.UnarySize, size - before - record.UnarySize) };
@@ -230,10 +265,11 @@ void Encode(const vtkMTColumn& column, const vtkMTPatch& patch, int bits, std::v
     places[0][w] = place[0];
     places[1][w] = place[1];
   }
-  std::vector<unsigned char> least = EncodeAgainst(Expect(patch, false, bits), places, bits, false);
+  const Blocks blocks(patch);
+  std::vector<unsigned char> least = EncodeAgainst(Expect(patch, false, bits), places, blocks, bits, false);
   if (!patch.WedgePoints.empty())
   {
-    std::vector<unsigned char> ofPoints = EncodeAgainst(Expect(patch, true, bits), places, bits, true);
+    std::vector<unsigned char> ofPoints = EncodeAgainst(Expect(patch, true, bits), places, blocks, bits, true);
     least = ofPoints.size() < least.size() ? std::move(ofPoints) : std::move(least);
   }
   bytes.insert(bytes.end(), least.begin(), least.end());
@@ -244,22 +280,24 @@ bool Decode(const unsigned char* data, std::size_t size, const vtkMTPatch& patch
   const std::size_t wedges = patch.GetNumberOfWedges();
   NormalRecord record{};
   std::memcpy(&record, data, std::min(size, sizeof(record)));
+  const Blocks blocks(patch);
   Codes section;
-  if (!IsSound(record) || !section.Start(record, data, size, wedges))
+  if (!IsSound(record) || !section.Start(record, data, size, blocks))
   {
     return false;
   }
   Places places = Expect(patch, record.OfPoints == 1, record.Bits);
   const Net net(record.Bits);
   std::uint32_t codes[BlockSize][2];
-  for (std::size_t begin = 0; begin < wedges; begin += BlockSize)
+  for (std::size_t block = 0; block < blocks.GetCount(); ++block)
   {
-    const std::size_t count = std::min(BlockSize, wedges - begin);
-    if (section.IsAsExpected(begin / BlockSize))
+    const std::size_t begin = blocks.GetBegin(block);
+    const std::size_t count = blocks.GetSize(block);
+    if (section.IsAsExpected(block))
     {
       continue;
     }
-    if (!section.Read(begin / BlockSize, count, codes))
+    if (!section.Read(block, count, codes))
     {
       return false;
     }

@@ -687,11 +687,94 @@ def single(x):
     return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
-def direction(u, v):
-    if u >= 4095 or v >= 4095:
+ARC = [single(c) for c in (0.99921406, -0.32118190, 0.14627620, 0.03899290)]
+STRAIGHT = single(3.14159274)
+
+
+def angle(y, x):
+    a = abs(x)
+    t = single(min(a, y) / max(a, y, 1.0))
+    s = single(t * t)
+    p = single(ARC[2] - single(s * ARC[3]))
+    p = single(ARC[1] + single(s * p))
+    p = single(t * single(ARC[0] + single(s * p)))
+    p = single(0.5 * STRAIGHT - p) if a < y else p
+    return single(STRAIGHT - p) if x < 0.0 else p
+
+
+def normal_terms(corners):
+    """What a triangle adds at each of its corners."""
+    a, b, c = ([float(x) for x in corner] for corner in corners)
+    u, v, w = ([q - p for p, q in zip(*pair)] for pair in ((a, b), (a, c), (b, c)))
+    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    length = math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
+    inverse = 1.0 / length if length > 0.0 else 0.0
+    unit = [single(x * inverse) for x in n]
+
+    def dot(p, q):
+        return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+
+    weights = [single(2.0**20 * angle(single(length), single(d))) for d in (dot(u, v), -dot(u, w), dot(v, w))]
+    return [[int(single(x * weight)) for x in unit] for weight in weights]
+
+
+def expected_place(sums, half):
+    x, y, z = (float(s) for s in sums)
+    length = abs(x) + abs(y) + abs(z)
+    scale = half / length if length > 0.0 else 0.0
+    p, q = x * scale, y * scale
+    if z < 0.0:
+        p, q = (abs(q) - half if p < 0.0 else half - abs(q)), (abs(p) - half if q < 0.0 else half - abs(p))
+    a, b = round(p), round(q)
+    return (abs(a) if abs(b) == half else a), (abs(b) if abs(a) == half else b)
+
+
+def turn(place, half):
+    u, v = half - abs(place[1]), half - abs(place[0])
+    return (-u if place[0] < 0 else u), (-v if place[1] < 0 else v)
+
+
+def unpack_normals(data, patch):
+    count = patch.wedges_count
+    size, of_points, zero, unary_size = struct.unpack_from("<BBHI", data)
+    require(6 <= size <= 16 and of_points <= 1 and zero == 0, "a section of normals begins wrong")
+    half = 2**(size - 1) - 1
+    points = patch.wedges or list(range(count))
+    sums = [[0, 0, 0] for _ in range(count)]
+    for t in patch.triangles:
+        for w, term in zip(t, normal_terms([patch.points[points[w]] for w in t])):
+            known = sums[points[w] if of_points else w]
+            known[:] = [a + b for a, b in zip(known, term)]
+    shared = sum(p < len(patch.ids) for p in points)
+    blocks = [min(64, n - begin) for n in (shared, count - shared) for begin in range(0, n, 64)]
+    parameters = data[8:8 + len(blocks)]
+    block_of = [i for i, block in enumerate(blocks) for _ in range(block)]
+    kept = [i for i, p in enumerate(parameters) if p != 255]
+    stream = Stream(data[8 + len(blocks):])
+    k = [[parameters[i] >> shift & 15 for i in kept] for shift in (0, 4)]
+    require(all(p <= 14 for axis in k for p in axis), "a parameter is too large")
+    kept_blocks = [blocks[i] for i in kept]
+    lows = [stream.take(low_size(kept_blocks, k[axis])) for axis in range(2)]
+    unary = [stream.take(unary_size), b""]
+    unary[1] = stream.take(len(stream.data) - stream.at)
+    codes = [iter(rice_codes(kept_blocks, k[axis], lows[axis], unary[axis])) for axis in range(2)]
+    normals = []
+    for w in range(count):
+        place = expected = expected_place(sums[points[w] if of_points else w], half)
+        if parameters[block_of[w]] != 255:
+            outer = abs(expected[0]) + abs(expected[1]) > half
+            begin = turn(expected, half) if outer else expected
+            place = [((begin[axis] + half + unzigzag(next(codes[axis]), 16)) & 0xFFFF) - half for axis in range(2)]
+            place = turn(place, half) if outer and max(abs(place[0]), abs(place[1])) <= half else place
+        normals.append(direction(place[0] + half, place[1] + half, half))
+    return normals
+
+
+def direction(u, v, half=2047):
+    if u > 2 * half or v > 2 * half:
         return (0.0, 0.0, 0.0)
-    x = single((u - 2047.0) / 2047.0)
-    y = single((v - 2047.0) / 2047.0)
+    x = single((u - half) / half)
+    y = single((v - half) / half)
     rest_x, rest_y = single(1.0 - abs(x)), single(1.0 - abs(y))
     z = single(rest_x - abs(y))
     if z < 0.0:
@@ -709,6 +792,9 @@ def read_column(array, arc, patch, codec, data):
     if codec == 0:
         require(len(data) == tuples * array.tuple_size, "a column of another length")
         return data
+    if codec == 3:
+        require(array.role == 2 and not of_cells and array.tuple_size == 12, "normals where there are none")
+        return b"".join(struct.pack("<3f", *normal) for normal in unpack_normals(data, patch))
     size = array.tuple_size // array.components
     if array.role == 2 and not of_cells and array.tuple_size == 12:
         values = [struct.pack("<3f", *d) for d in unpack_directions(data, patch.wedge_bases)]
