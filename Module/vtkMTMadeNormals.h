@@ -5,8 +5,8 @@
  *
  * A point's normal is the direction of the sum of its triangles' unit normals, each weighted by the triangle's angle at
  * the point (Thuermer and Wuethrich, "Computing vertex normals from polygonal facets", 1998), so that the triangulation
- * of a flat part has no influence. The angle is an arc tangent by a polynomial, off by less than 1e-4 radians. Each
- * term is a whole number of 2^-20: sums do not depend on the order of the triangles. There are only operations here
+ * of a flat part has no influence. The angle is an arc tangent by a polynomial, off by less than 3e-5 radians. Each
+ * term is a whole number of 2^-17: sums do not depend on the order of the triangles. There are only operations here
  * that IEEE 754 defines to the last bit (+ - * / and the square root), so whoever knows the triangles has the same
  * normals, on every machine. That is what files rest on, which keep the differences alone.
  *
@@ -48,7 +48,7 @@ struct VTKMTCORE_EXPORT vtkMTMadeNormals
   static double GetRounding(int bits);
 
   using Place = std::array<std::uint16_t, 2>;
-  using Sum = std::array<std::int64_t, 3>; ///< in 2^-20
+  using Sum = std::array<std::int64_t, 3>; ///< in 2^-17
 
   /// What a triangle adds at its corners, before it is rounded towards zero to whole numbers. False when the triangle
   /// is degenerate. A reversed triangle adds exactly the opposite.
@@ -60,8 +60,9 @@ struct VTKMTCORE_EXPORT vtkMTMadeNormals
   /// A vector's place; that of the z axis for a sum of zeros, and of (0, 0, 0) for a normal that is zero or not finite.
   static Place GetPlace(const Sum& sum, int bits);
   static Place GetPlace(const std::array<float, 3>& normal, int bits);
-  /// Many: the i-th goes to u[i] and v[i].
-  static void GetPlaces(const Sum* sums, std::size_t count, int bits, std::uint16_t* u, std::uint16_t* v);
+  /// Those of the sums of a mesh's points, or of its wedges.
+  static void GetPlaces(
+    const vtkMTPatch& mesh, bool ofPoints, int bits, std::vector<std::uint16_t>& u, std::vector<std::uint16_t>& v);
   ///@}
 
   ///@{

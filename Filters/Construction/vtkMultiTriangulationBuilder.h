@@ -77,9 +77,9 @@ public:
 
   ///@{
   /**
-   * Bits of each of the two coordinates in which made normals are kept: with b bits they are rounded by less than 123 /
-   * 2^b degrees. Default 12 (0.03 degrees); clamped to [6, 16]. They follow from the triangles, so bits cost little:
-   * about 0.03 bytes for each input triangle. Normals of the input are kept as they are.
+   * Bits of each of the two coordinates in which made normals are kept: with b bits they are rounded by less than 250 /
+   * 2^b degrees. Default 12 (0.06 degrees); clamped to [6, 16]. They follow from the triangles, so a bit costs little:
+   * about 0.06 bytes for each input triangle. Normals of the input are kept as they are.
    */
   vtkSetClampMacro(NormalBits, int, 6, 16);
   vtkGetMacro(NormalBits, int);

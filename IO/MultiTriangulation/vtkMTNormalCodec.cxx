@@ -32,10 +32,8 @@ using Places = std::array<std::vector<std::uint16_t>, 2>;
 // Places on the net as they are expected, of all wedges.
 Places Expect(const vtkMTPatch& patch, bool ofPoints, int bits)
 {
-  std::vector<vtkMTMadeNormals::Sum> sums;
-  vtkMTMadeNormals::GetSums(patch, ofPoints, sums);
-  Places places{ std::vector<std::uint16_t>(sums.size()), std::vector<std::uint16_t>(sums.size()) };
-  vtkMTMadeNormals::GetPlaces(sums.data(), sums.size(), bits, places[0].data(), places[1].data());
+  Places places;
+  vtkMTMadeNormals::GetPlaces(patch, ofPoints, bits, places[0], places[1]);
   if (ofPoints && !patch.WedgePoints.empty())
   {
     for (std::vector<std::uint16_t>& ofAll : places)
@@ -270,7 +268,10 @@ void Encode(const vtkMTColumn& column, const vtkMTPatch& patch, int bits, std::v
   if (!patch.WedgePoints.empty())
   {
     std::vector<unsigned char> ofPoints = EncodeAgainst(Expect(patch, true, bits), places, blocks, bits, true);
-    least = ofPoints.size() < least.size() ? std::move(ofPoints) : std::move(least);
+    if (ofPoints.size() < least.size())
+    {
+      least = std::move(ofPoints);
+    }
   }
   bytes.insert(bytes.end(), least.begin(), least.end());
 }

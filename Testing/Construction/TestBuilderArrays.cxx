@@ -205,7 +205,7 @@ TEST(BuilderArrays, MadeNormalsInsideOfPatchesFollowFromTheirTrianglesOnEveryLev
     builder->SetPatchTriangles(200);
     builder->SetNormalBits(bits);
     builder->Update();
-    const auto source = builder->GetOutput()->GetPatchSource();
+    const auto source = vtkMultiTriangulation::SafeDownCast(builder->GetOutputDataObject(0))->GetSource();
     const vtkMTGraph& graph = source->GetGraph();
     const auto info = std::find_if(graph.Arrays.begin(), graph.Arrays.end(), vtkMTMadeNormals::AreIn);
     ASSERT_NE(info, graph.Arrays.end());

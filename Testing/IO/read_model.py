@@ -687,44 +687,46 @@ def single(x):
     return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
-ARC = [single(c) for c in (0.99921406, -0.32118190, 0.14627620, 0.03899290)]
-STRAIGHT = single(3.14159274)
+ARC = [single(c) for c in (0.0177230909, -0.0785178393, 0.175562292, -0.329162508, 0.999793112)]
+QUARTER = single(0.785398185)
+NOTHING = 2.0**-100
 
 
 def angle(y, x):
     a = abs(x)
-    t = single(min(a, y) / max(a, y, 1.0))
-    s = single(t * t)
-    p = single(ARC[2] - single(s * ARC[3]))
-    p = single(ARC[1] + single(s * p))
-    p = single(t * single(ARC[0] + single(s * p)))
-    p = single(0.5 * STRAIGHT - p) if a < y else p
-    return single(STRAIGHT - p) if x < 0.0 else p
+    r = single(single(a - y) / single(single(a + y) + NOTHING))
+    s = single(r * r)
+    p = ARC[0]
+    for c in ARC[1:]:
+        p = single(c + single(s * p))
+    return single(2 * QUARTER - math.copysign(single(QUARTER + single(r * p)), x))
 
 
 def normal_terms(corners):
     """What a triangle adds at each of its corners."""
     a, b, c = ([float(x) for x in corner] for corner in corners)
-    u, v, w = ([q - p for p, q in zip(*pair)] for pair in ((a, b), (a, c), (b, c)))
+    u, v = ([q - p for p, q in zip(*pair)] for pair in ((a, b), (a, c)))
+    w = [q - p for p, q in zip(u, v)]
     n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-    length = math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
-    inverse = 1.0 / length if length > 0.0 else 0.0
+    n = [single(x * 2.0**-32) for x in n]
+    length = single(math.sqrt(single(single(single(n[0] * n[0]) + single(n[1] * n[1])) + single(n[2] * n[2]))))
+    inverse = single(1.0 / single(length + NOTHING))
     unit = [single(x * inverse) for x in n]
 
     def dot(p, q):
-        return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+        return single((p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) * 2.0**-32)
 
-    weights = [single(2.0**20 * angle(single(length), single(d))) for d in (dot(u, v), -dot(u, w), dot(v, w))]
+    weights = [single(2.0**17 * angle(length, d)) for d in (dot(u, v), -dot(u, w), dot(v, w))]
     return [[int(single(x * weight)) for x in unit] for weight in weights]
 
 
 def expected_place(sums, half):
-    x, y, z = (float(s) for s in sums)
-    length = abs(x) + abs(y) + abs(z)
-    scale = half / length if length > 0.0 else 0.0
-    p, q = x * scale, y * scale
+    x, y, z = (single(s) for s in sums)
+    scale = single(half / single(single(single(abs(x) + abs(y)) + abs(z)) + NOTHING))
+    p, q = single(x * scale), single(y * scale)
     if z < 0.0:
-        p, q = (abs(q) - half if p < 0.0 else half - abs(q)), (abs(p) - half if q < 0.0 else half - abs(p))
+        outer = single(half - abs(q)), single(half - abs(p))
+        p, q = (-outer[0] if p < 0.0 else outer[0]), (-outer[1] if q < 0.0 else outer[1])
     a, b = round(p), round(q)
     return (abs(a) if abs(b) == half else a), (abs(b) if abs(a) == half else b)
 
