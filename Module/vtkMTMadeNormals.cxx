@@ -35,7 +35,7 @@ inline float GetAngle(float y, float x)
   const float s = r * r;
   const float p =
     r * (0.999793112f + s * (-0.329162508f + s * (0.175562292f + s * (-0.0785178393f + s * 0.0177230909f))));
-  return 2.0f * quarter - std::copysign(quarter + p, x);
+  return 2.0f * quarter - std::copysign(quarter + p, x + 0.0f); // which -0 is not
 }
 
 void ComputeFactors(Triangles& block, std::size_t count)

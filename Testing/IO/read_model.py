@@ -699,7 +699,8 @@ def angle(y, x):
     p = ARC[0]
     for c in ARC[1:]:
         p = single(c + single(s * p))
-    return single(2 * QUARTER - math.copysign(single(QUARTER + single(r * p)), x))
+    p = single(QUARTER + single(r * p))
+    return single(2 * QUARTER + (p if x < 0.0 else -p))
 
 
 def normal_terms(corners):
