@@ -233,7 +233,7 @@ TEST(BuilderArrays, MadeNormalsInsideOfPatchesFollowFromTheirTrianglesOnEveryLev
       }
     }
     std::printf("%d bits: %zu inside, %zu shared, %zu inside do not follow\n", bits, inside, shared, others);
-    EXPECT_GT(inside, 2 * shared);
+    EXPECT_GT(inside, shared);
     EXPECT_EQ(others, 0u);
   }
 }
