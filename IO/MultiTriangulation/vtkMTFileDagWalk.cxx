@@ -130,6 +130,12 @@ bool vtkMTFileDagReader::CheckSections(std::uint32_t arc, std::string& error)
         ", which a newer program must read";
       return false;
     }
+    if (!isOther && section.Codec > Expected)
+    {
+      error = "arc " + std::to_string(arc) + " has a section of codec " + std::to_string(section.Codec) +
+        ", which a newer program must read";
+      return false;
+    }
     const std::uint64_t size = Align(section.StoredSize);
     good = size <= this->Blocks.Header.FileSize - this->NextOffset && section.Flags <= MustBeKnown &&
       (isOther ||
