@@ -5,8 +5,8 @@
  * Of a point whose triangles are all in the patch the normal is known when these are (vtkMTMadeNormals); of one that is
  * shared it is expected from those triangles that are here. What differs is kept, in places on the net, as Rice codes;
  * blocks of 64 wedges without a difference are one byte. Shared points have blocks of their own, so most others are
- * such. Where what is expected is on the net's outer half, whose rim is cut open, the difference is taken on the net of
- * the opposite pole, where that half is in the middle. No wedge depends on another one.
+ * such. Where what is expected is on the net's outer half, whose rim is where it ends, the difference is taken on the
+ * net of the opposite pole, where that half is in the middle. No wedge depends on another one.
  */
 #ifndef vtkMTNormalCodec_h
 #define vtkMTNormalCodec_h

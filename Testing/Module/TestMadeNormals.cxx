@@ -195,7 +195,7 @@ TEST(MadeNormals, SumsDoNotDependOnTheOrderOfTrianglesNorOnTheirFirstCorners)
     {
       sum = { -sum[0], -sum[1], -sum[2] };
     }
-    EXPECT_EQ(sums, others) << "turned round";
+    EXPECT_EQ(sums, others) << "reversed";
   }
 }
 
