@@ -18,6 +18,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -216,20 +217,19 @@ CLI::Option* AddSetting(
 
 void AddSettings(CLI::App& command, Builder* builder)
 {
-  AddSetting(command, "--patch-triangles", builder, &Builder::SetPatchTriangles, "Wanted mean triangles of a patch")
-    ->check(CLI::Range(16, 16384))
-    ->default_str("1000");
-  AddSetting(command, "--lattice-bits", builder, &Builder::SetLatticeBits, "2^N lattice steps on the longest side")
-    ->check(CLI::Range(10, 31))
-    ->default_str("24");
-  AddSetting(command, "--direct-levels", builder, &Builder::SetDirectLevels,
-    "Errors are held against the mesh so many levels below; 1: those of steps add up, faster to make and looser")
-    ->check(CLI::Range(1, 8))
-    ->default_str("5");
-  AddSetting(command, "--threads", builder, &Builder::SetNumberOfThreads,
-    "Threads; 0: as many as there are processors. No influence on the file")
-    ->check(CLI::Range(0, 1024))
-    ->default_str("0");
+  const auto whole = [&](const char* name, void (Builder::*set)(int), std::array<int, 3> range, const char* text)
+  {
+    AddSetting(command, name, builder, set, text)
+      ->check(CLI::Range(range[0], range[2]))
+      ->default_str(std::to_string(range[1]));
+  };
+  whole("--patch-triangles", &Builder::SetPatchTriangles, { 16, 1000, 16384 }, "Wanted mean triangles of a patch");
+  whole("--lattice-bits", &Builder::SetLatticeBits, { 10, 24, 31 }, "2^N lattice steps on the longest side");
+  whole("--normal-bits", &Builder::SetNormalBits, { 6, 12, 16 }, "Bits of both coordinates of normals that are made");
+  whole("--direct-levels", &Builder::SetDirectLevels, { 1, 5, 8 },
+    "Errors are held against the mesh so many levels below; 1: those of steps add up, faster to make and looser");
+  whole("--threads", &Builder::SetNumberOfThreads, { 0, 0, 1024 },
+    "Threads; 0: as many as there are processors. No influence on the file");
   AddSetting(command, "--precision", builder, &Builder::SetPrecision,
     "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
     ->check(CLI::PositiveNumber);

@@ -84,9 +84,6 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   /// vtkMTLookupTable).
   std::map<std::string, std::string> Properties;
 
-  /// What files keep of normals that the builder made is off by less than this, in radians: 0.06 degrees.
-  static constexpr double MadeNormalsRounding = 0.00105;
-
   /// Bytes of one tuple; 0 for a type that is not carried.
   std::size_t GetTupleSize() const;
 

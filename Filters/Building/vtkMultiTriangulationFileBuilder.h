@@ -168,6 +168,13 @@ public:
   ///@}
 
   ///@{
+  /// Bits of each of the two coordinates in which made normals are kept (see vtkMultiTriangulationBuilder). Default 12;
+  /// clamped to [6, 16].
+  void SetNormalBits(int bits);
+  int GetNormalBits() const;
+  ///@}
+
+  ///@{
   /// Along which edges made normals are split, in degrees; negative, the default: chosen by the mesh (see
   /// vtkMultiTriangulationBuilder), and none where all inputs are terrain or volumes. 180: none. NaN is refused with an
   /// error.

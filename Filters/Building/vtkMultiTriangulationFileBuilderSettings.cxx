@@ -197,6 +197,16 @@ bool vtkMultiTriangulationFileBuilder::GetMakeNormals() const
   return this->Implementation->Builder->GetMakeNormals();
 }
 
+void vtkMultiTriangulationFileBuilder::SetNormalBits(int bits)
+{
+  this->Implementation->Builder->SetNormalBits(bits);
+}
+
+int vtkMultiTriangulationFileBuilder::GetNormalBits() const
+{
+  return this->Implementation->Builder->GetNormalBits();
+}
+
 void vtkMultiTriangulationFileBuilder::SetFeatureAngle(double degrees)
 {
   this->Implementation->Builder->SetFeatureAngle(degrees);

@@ -174,11 +174,11 @@ public:
       {
         last = pair.Floor;
         floor = Corners(this->Floor.Normals.data() + 3 * std::size_t(last));
-        this->Before = this->GetFloorAngles(settings, last, floor);
+        this->Before = this->GetFloorAngles(settings, last);
       }
       this->AddPair(pair, floor, normals[pair.Fragment], fields[pair.Fragment], findings);
     }
-    return this->Sum(settings, findings, normals);
+    return this->Sum(findings);
   }
 
 private:
@@ -189,16 +189,15 @@ private:
     double FromInput;
   };
 
-  vtkMTNormalDeviation::Angles Sum(const vtkMTNormalDeviation::Settings& settings,
-    const vtkMTDeviation::Findings& findings, const std::vector<Corners>& normals) const
+  vtkMTNormalDeviation::Angles Sum(const vtkMTDeviation::Findings& findings) const
   {
     vtkMTNormalDeviation::Angles angles;
     double area = 0.0;
-    for (std::uint32_t s = 0; s < normals.size(); ++s)
+    for (std::uint32_t s = 0; s < findings.Deviations.size(); ++s)
     {
       const vtkMTTriangleDeviation& found = findings.Deviations[s];
       const double known = vtkMTNormalDeviation::ToRadians(std::max(found.NormalToInput, found.NormalFromInput));
-      const double angle = std::min(known + GetRounding(settings, normals[s]), Pi);
+      const double angle = std::min(known, Pi);
       const vtkMTSurface& surface = this->Fragment.Surface;
       const Vector u = Subtract(surface.GetCorner(s, 1), surface.GetCorner(s, 0));
       const Vector v = Subtract(surface.GetCorner(s, 2), surface.GetCorner(s, 0));
@@ -211,19 +210,11 @@ private:
     return angles;
   }
 
-  static double GetRounding(const vtkMTNormalDeviation::Settings& settings, const Corners& normals)
-  {
-    return settings.Rounding > 0.0
-      ? (settings.Rounding < normals.Least ? GetAngle(settings.Rounding / normals.Least) : Pi)
-      : 0.0;
-  }
-
-  static Known GetFloorAngles(const vtkMTNormalDeviation::Settings& settings, std::uint32_t t, const Corners& normals)
+  static Known GetFloorAngles(const vtkMTNormalDeviation::Settings& settings, std::uint32_t t)
   {
     const vtkMTTriangleDeviation& known = settings.FloorDeviations[t];
-    const double rounding = settings.FloorIsInput ? GetRounding(settings, normals) : 0.0;
-    return { vtkMTNormalDeviation::ToRadians(known.NormalToInput) + rounding,
-      vtkMTNormalDeviation::ToRadians(known.NormalFromInput) + rounding };
+    return { vtkMTNormalDeviation::ToRadians(known.NormalToInput),
+      vtkMTNormalDeviation::ToRadians(known.NormalFromInput) };
   }
 
   // A bound matters where it raises what is known of the fragment's triangle by other pairs.

@@ -56,13 +56,11 @@ struct VTKMTCERTIFICATION_EXPORT vtkMTNormalDeviation
   struct Settings
   {
     const std::vector<vtkMTTriangleDeviation>& FloorDeviations; ///< [floor's triangles]
-    bool FloorIsInput;
-    double Rounding; ///< how far a normal that is stored may be from what it is here, for unit length
   };
 
   /**
-   * Fills in the angles of findings.Deviations by its pairs. Gives those of the fragment as it is stored, the rounding
-   * of normals of fragment and input included.
+   * Fills in the angles of findings.Deviations by its pairs. Gives those of the fragment. Normals are taken as they
+   * will be stored: those that are made are rounded before (vtkMTMadeNormals).
    */
   static Angles Add(
     const Mesh& floor, const Mesh& fragment, const Settings& settings, vtkMTDeviation::Findings& findings);

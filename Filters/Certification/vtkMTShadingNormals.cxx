@@ -44,7 +44,6 @@ vtkMTShadingNormals::vtkMTShadingNormals(const std::vector<vtkMTArrayInfo>& arra
         this->HasArray = true;
         this->Array = array;
         this->Column = column;
-        this->Rounding = array.Role == vtkMTArrayInfo::MadeNormals ? vtkMTArrayInfo::MadeNormalsRounding : 0.0;
       }
       ++column;
     }

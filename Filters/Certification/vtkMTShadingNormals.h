@@ -24,16 +24,12 @@ public:
   /// [3 t + c]. The mesh has the columns of the arrays.
   std::vector<std::array<float, 3>> Get(const vtkMTPatch& mesh) const;
 
-  /// What files may change of a normal, for unit length.
-  double GetRounding() const { return this->Rounding; }
-
 private:
   static void GetOfTriangles(const vtkMTPatch& mesh, std::vector<std::array<float, 3>>& normals);
 
   vtkMTArrayInfo Array;
   bool HasArray = false;
   std::size_t Column = 0; // among those of its association
-  double Rounding = 0.0;
 };
 
 #endif

@@ -27,6 +27,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   int LatticeBits = 24;
   bool MakeNormals = true;
   double FeatureAngle = -1.0; ///< of made normals, degrees; below 0: chosen by the mesh
+  int NormalBits = 12;        ///< of each coordinate of made normals (vtkMTMadeNormals)
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
   bool CertifyNormals = false;

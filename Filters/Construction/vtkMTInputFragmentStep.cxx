@@ -137,7 +137,8 @@ bool vtkMTInputFragmentStep::Finish()
       state.AutomaticFeatureAngle = automatic;
       state.DihedralAngles = this->Angles.Describe();
     }
-    if (!this->Orientation->Solve() || !this->Normals->Solve(*this->Orientation, state.FeatureAngle) ||
+    if (!this->Orientation->Solve() ||
+      !this->Normals->Solve(*this->Orientation, { state.FeatureAngle, this->Settings.NormalBits }) ||
       !this->SharedIds->Solve())
     {
       return this->Fail(this->Orientation->GetError() + this->Normals->GetError() + this->SharedIds->GetError());
@@ -226,12 +227,13 @@ void vtkMTInputFragmentStep::AddNormals(Finishing& finishing) const
   }
   if (!(this->State.FeatureAngle < vtkMTDihedralAngles::Smooth))
   {
-    std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(mesh);
+    std::vector<std::array<float, 3>> normals = vtkMTPointNormals::Compute(mesh, this->Settings.NormalBits);
     std::copy(shared.begin(), shared.end(), normals.begin());
     finishing.Fragment.AddNormals(normals);
     return;
   }
-  std::vector<std::array<float, 3>> normals = vtkMTPointNormals::ComputeByCorner(mesh, this->State.FeatureAngle);
+  std::vector<std::array<float, 3>> normals =
+    vtkMTPointNormals::ComputeByCorner(mesh, this->State.FeatureAngle, this->Settings.NormalBits);
   const auto getPoint = [&mesh](std::size_t h) { return mesh.GetPointOfWedge(mesh.Triangles[h / 3][h % 3]); };
   for (std::size_t h = 0; h < normals.size(); ++h)
   {

@@ -6,6 +6,7 @@
 #include "vtkMTInputFragmentStep.h"
 #include "vtkMTInputRegions.h"
 #include "vtkMTInputSpool.h"
+#include "vtkMTMadeNormals.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTPartitionStrategy.h"
 #include "vtkMTPatchSplitter.h"
@@ -49,7 +50,7 @@ vtkMTArrayInfo MakeCellIdInfo()
   return info;
 }
 
-vtkMTArrayInfo MakeNormalInfo(const std::vector<vtkMTArrayInfo>& others)
+vtkMTArrayInfo MakeNormalInfo(const std::vector<vtkMTArrayInfo>& others, int bits)
 {
   vtkMTArrayInfo info;
   info.Name = "Normals";
@@ -64,6 +65,7 @@ vtkMTArrayInfo MakeNormalInfo(const std::vector<vtkMTArrayInfo>& others)
   info.Resampling = vtkMTArrayInfo::Direction;
   info.Role = vtkMTArrayInfo::MadeNormals;
   info.Attribute = vtkDataSetAttributes::NORMALS;
+  vtkMTMadeNormals::SetBits(bits, info);
   return info;
 }
 
@@ -216,7 +218,7 @@ private:
     arrays.push_back(MakeCellIdInfo());
     if (this->MakesNormals)
     {
-      arrays.push_back(MakeNormalInfo(arrays));
+      arrays.push_back(MakeNormalInfo(arrays, this->Settings.NormalBits));
     }
     return true;
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -14,58 +15,37 @@ using namespace vtkMTVector;
 
 namespace
 {
-Vector Difference(const vtkMTPoint& a, const vtkMTPoint& b)
-{
-  return { static_cast<double>(a[0]) - static_cast<double>(b[0]), static_cast<double>(a[1]) - static_cast<double>(b[1]),
-    static_cast<double>(a[2]) - static_cast<double>(b[2]) };
-}
+using Normal = std::array<float, 3>;
 }
 
 bool vtkMTPointNormals::GetTerms(
   const vtkMTPatch& mesh, std::size_t triangle, std::array<std::array<double, 3>, 3>& terms)
 {
   const vtkMTTriangle p = mesh.GetPointsOfTriangle(triangle);
-  const std::array<const vtkMTPoint*, 3> x{ &mesh.Points[p[0]], &mesh.Points[p[1]], &mesh.Points[p[2]] };
-  const Vector normal = Cross(Difference(*x[1], *x[0]), Difference(*x[2], *x[0]));
-  const double twiceArea = Norm(normal);
-  if (!(twiceArea > 0.0))
-  {
-    return false;
-  }
-  for (int c = 0; c < 3; ++c)
-  {
-    const Vector u = Difference(*x[(c + 1) % 3], *x[c]);
-    const Vector v = Difference(*x[(c + 2) % 3], *x[c]);
-    const double angle = std::atan2(twiceArea, Dot(u, v));
-    terms[c] = Scale(normal, angle / twiceArea);
-  }
-  return true;
+  return vtkMTMadeNormals::GetTerms({ &mesh.Points[p[0]], &mesh.Points[p[1]], &mesh.Points[p[2]] }, terms);
 }
 
-std::array<float, 3> vtkMTPointNormals::GetDirection(const std::array<double, 3>& sum)
+void vtkMTPointNormals::Add(const std::array<double, 3>& term, vtkMTMadeNormals::Sum& sum)
 {
-  const double length = Norm(sum);
-  const Vector unit = length > 0.0 ? Scale(sum, 1.0 / length) : Vector{ 0.0, 0.0, 1.0 };
-  return { static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2]) };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    sum[i] += static_cast<std::int64_t>(term[i]);
+  }
 }
 
-std::vector<std::array<float, 3>> vtkMTPointNormals::Compute(const vtkMTPatch& mesh)
+std::array<float, 3> vtkMTPointNormals::GetDirection(const vtkMTMadeNormals::Sum& sum, int bits)
 {
-  std::vector<Vector> sums(mesh.Points.size(), Vector{ 0.0, 0.0, 0.0 });
-  std::array<Vector, 3> terms;
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    const bool hasTerms = GetTerms(mesh, t, terms);
-    for (std::size_t c = 0; hasTerms && c < 3; ++c)
-    {
-      sums[p[c]] = Add(sums[p[c]], terms[c]);
-    }
-  }
-  std::vector<std::array<float, 3>> normals(sums.size());
+  return vtkMTMadeNormals::GetNormal(vtkMTMadeNormals::GetPlace(sum, bits), bits);
+}
+
+std::vector<std::array<float, 3>> vtkMTPointNormals::Compute(const vtkMTPatch& mesh, int bits)
+{
+  std::vector<vtkMTMadeNormals::Sum> sums;
+  vtkMTMadeNormals::GetSums(mesh, true, sums);
+  std::vector<Normal> normals(sums.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
-    normals[i] = GetDirection(sums[i]);
+    normals[i] = GetDirection(sums[i], bits);
   }
   return normals;
 }
@@ -124,23 +104,24 @@ std::vector<std::uint32_t> vtkMTPointNormals::FindGroups(const std::vector<Corne
 }
 
 std::vector<std::array<float, 3>> vtkMTPointNormals::GetNormalsOfGroups(
-  const std::vector<Corner>& corners, double cosine)
+  const std::vector<Corner>& corners, double cosine, int bits)
 {
   const std::vector<std::uint32_t> groups = FindGroups(corners, cosine);
-  std::vector<Vector> sums(corners.size(), Vector{ 0.0, 0.0, 0.0 });
+  std::vector<vtkMTMadeNormals::Sum> sums(corners.size(), vtkMTMadeNormals::Sum{ 0, 0, 0 });
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    sums[groups[i]] = Add(sums[groups[i]], corners[i].Term);
+    Add(corners[i].Term, sums[groups[i]]);
   }
-  std::vector<std::array<float, 3>> normals(corners.size());
+  std::vector<Normal> normals(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    normals[i] = groups[i] == i ? GetDirection(sums[i]) : normals[groups[i]];
+    normals[i] = groups[i] == i ? GetDirection(sums[i], bits) : normals[groups[i]];
   }
   return normals;
 }
 
-std::vector<std::array<float, 3>> vtkMTPointNormals::ComputeByCorner(const vtkMTPatch& mesh, double featureAngle)
+std::vector<std::array<float, 3>> vtkMTPointNormals::ComputeByCorner(
+  const vtkMTPatch& mesh, double featureAngle, int bits)
 {
   std::vector<std::uint32_t> order(3 * mesh.Triangles.size()); // of the corners: by point, then by triangle
   std::iota(order.begin(), order.end(), 0u);
@@ -148,7 +129,7 @@ std::vector<std::array<float, 3>> vtkMTPointNormals::ComputeByCorner(const vtkMT
   std::stable_sort(
     order.begin(), order.end(), [&getPoint](std::uint32_t a, std::uint32_t b) { return getPoint(a) < getPoint(b); });
   const double cosine = GetCosine(featureAngle);
-  std::vector<std::array<float, 3>> normals(order.size(), GetDirection({ 0.0, 0.0, 0.0 }));
+  std::vector<Normal> normals(order.size(), GetDirection({ 0, 0, 0 }, bits));
   std::array<Vector, 3> terms;
   std::vector<Corner> corners;
   std::vector<std::uint32_t> halfedges; // of the corners
@@ -166,7 +147,7 @@ std::vector<std::array<float, 3>> vtkMTPointNormals::ComputeByCorner(const vtkMT
         halfedges.push_back(order[end]);
       }
     }
-    const std::vector<std::array<float, 3>> found = GetNormalsOfGroups(corners, cosine);
+    const std::vector<Normal> found = GetNormalsOfGroups(corners, cosine, bits);
     for (std::size_t i = begin; i < end && !found.empty(); ++i)
     {
       normals[order[i]] = found[0];
@@ -177,4 +158,39 @@ std::vector<std::array<float, 3>> vtkMTPointNormals::ComputeByCorner(const vtkMT
     }
   }
   return normals;
+}
+
+//------------------------------------------------------------------------------
+void vtkMTPointNormals::Renew(const vtkMTPatch& mesh, bool isSmooth, int bits, vtkMTColumn& column)
+{
+  std::vector<vtkMTMadeNormals::Sum> sums;
+  vtkMTMadeNormals::GetSums(mesh, false, sums);
+  const std::size_t wedges = mesh.GetNumberOfWedges();
+  std::vector<Normal> normals(wedges);
+  std::memcpy(normals.data(), column.data(), column.size());
+  std::vector<Normal> renewed(wedges);
+  for (std::size_t begin = 0, end = 0; begin < wedges; begin = end)
+  {
+    const std::uint32_t point = mesh.GetPointOfWedge(static_cast<std::uint32_t>(begin));
+    while (end < wedges && mesh.GetPointOfWedge(static_cast<std::uint32_t>(end)) == point)
+    {
+      ++end;
+    }
+    for (std::size_t w = begin; w < end; ++w)
+    {
+      vtkMTMadeNormals::Sum sum{ 0, 0, 0 };
+      for (std::size_t other = begin; other < end && point >= mesh.Ids.size(); ++other)
+      {
+        const bool isOfGroup = isSmooth || normals[other] == normals[w];
+        for (std::size_t i = 0; i < 3 && isOfGroup; ++i)
+        {
+          sum[i] += sums[other][i];
+        }
+      }
+      const bool hasSum = sum != vtkMTMadeNormals::Sum{ 0, 0, 0 };
+      renewed[w] = vtkMTMadeNormals::GetNormal(
+        hasSum ? vtkMTMadeNormals::GetPlace(sum, bits) : vtkMTMadeNormals::GetPlace(normals[w], bits), bits);
+    }
+  }
+  std::memcpy(column.data(), renewed.data(), column.size());
 }

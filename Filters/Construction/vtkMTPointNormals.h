@@ -3,9 +3,8 @@
  * @class vtkMTPointNormals
  * @brief normals of a mesh: smooth, one per point, or split along hard edges, one per corner
  *
- * The sum of the normals of the triangles around a point, weighted by their angle there (Thuermer and Wuethrich,
- * "Computing vertex normals from polygonal facets", 1998), so that the triangulation of a flat part has no influence. A
- * point with degenerate triangles only gets the normal (0, 0, 1). The order of summation is that of the triangles.
+ * The sum of the normals of the triangles around a point, weighted by their angle there (vtkMTMadeNormals), on the net
+ * of so many bits. A point with degenerate triangles only gets the normal (0, 0, 1).
  *
  * Where normals are split, the triangles around a point fall into groups that are connected over edges of exactly two
  * triangles, of opposite directions, whose normals are within the feature angle of each other; every group has a sum of
@@ -15,6 +14,7 @@
 #define vtkMTPointNormals_h
 
 #include "vtkMTConstructionModule.h" // For export macro
+#include "vtkMTMadeNormals.h"
 #include "vtkMTPatch.h"
 
 #include <array>
@@ -23,13 +23,14 @@
 
 struct VTKMTCONSTRUCTION_EXPORT vtkMTPointNormals
 {
-  static std::vector<std::array<float, 3>> Compute(const vtkMTPatch& mesh);
+  static std::vector<std::array<float, 3>> Compute(const vtkMTPatch& mesh, int bits);
 
   ///@{
   /// The parts of it, for meshes in fragments: what a triangle adds at each of its corners (false when it is
-  /// degenerate), and the direction of a sum. A reversed triangle adds exactly the opposite.
+  /// degenerate), how that is added, and the direction of a sum. A reversed triangle adds exactly the opposite.
   static bool GetTerms(const vtkMTPatch& mesh, std::size_t triangle, std::array<std::array<double, 3>, 3>& terms);
-  static std::array<float, 3> GetDirection(const std::array<double, 3>& sum);
+  static void Add(const std::array<double, 3>& term, vtkMTMadeNormals::Sum& sum);
+  static std::array<float, 3> GetDirection(const vtkMTMadeNormals::Sum& sum, int bits);
   ///@}
 
   /// A triangle at a point: its other two corners, in its order, and what it adds.
@@ -44,9 +45,17 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTPointNormals
   /// For each corner at a point its group: the index of the group's first corner.
   static std::vector<std::uint32_t> FindGroups(const std::vector<Corner>& corners, double cosine);
   /// For each corner at a point the normal of its group.
-  static std::vector<std::array<float, 3>> GetNormalsOfGroups(const std::vector<Corner>& corners, double cosine);
+  static std::vector<std::array<float, 3>> GetNormalsOfGroups(
+    const std::vector<Corner>& corners, double cosine, int bits);
   /// For each corner (3 t + c) its normal.
-  static std::vector<std::array<float, 3>> ComputeByCorner(const vtkMTPatch& mesh, double featureAngle);
+  static std::vector<std::array<float, 3>> ComputeByCorner(const vtkMTPatch& mesh, double featureAngle, int bits);
+
+  /**
+   * Of a simplified mesh, whose wedges have been given normals of the finer one: those of points that are not shared
+   * (they come behind those with ids) become the mesh's own, all wedges of a point together where the normals are
+   * smooth, else those of equal normals. All of them are put on the net. Wedges are in the order of their points.
+   */
+  static void Renew(const vtkMTPatch& mesh, bool isSmooth, int bits, vtkMTColumn& column);
 };
 
 #endif

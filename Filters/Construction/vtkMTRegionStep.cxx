@@ -6,7 +6,9 @@
 #include "vtkMTCoarsePoints.h"
 #include "vtkMTDeviation.h"
 #include "vtkMTDirectDeviation.h"
+#include "vtkMTMadeNormals.h"
 #include "vtkMTPatchSplitter.h"
+#include "vtkMTPointNormals.h"
 #include "vtkMTRoundUp.h"
 #include "vtkMTShadingNormals.h"
 #include "vtkMTSimplifier.h"
@@ -230,6 +232,7 @@ bool vtkMTRegionStep::Certify(
   simplification.Points = mesh.Points;
   const std::vector<vtkMTArrayInfo>& arrays = *context.Arrays;
   vtkMTAttributeTransfer::Run({ floor, floorSurface, fragmentSurface, simplification, findings }, arrays, mesh);
+  this->RenewNormals(context);
   if (context.CertifyNormals)
   {
     this->CertifyNormals(floor, floorSurface, fragmentSurface, relation, context, findings);
@@ -262,6 +265,21 @@ bool vtkMTRegionStep::ImproveByFinerLevel(const vtkMTDirectDeviation::Mesh& floo
   return true;
 }
 
+// Normals that were made follow from the triangles on every level, except at points that other regions keep as well.
+void vtkMTRegionStep::RenewNormals(const Context& context)
+{
+  std::size_t column = 0;
+  for (const vtkMTArrayInfo& array : *context.Arrays)
+  {
+    if (vtkMTMadeNormals::AreIn(array))
+    {
+      vtkMTPointNormals::Renew(this->Fragment.Mesh, context.HasSmoothNormals, vtkMTMadeNormals::GetBits(array),
+        this->Fragment.Mesh.PointColumns[column]);
+    }
+    column += array.Association == vtkMTArrayInfo::Point ? 1 : 0;
+  }
+}
+
 void vtkMTRegionStep::CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface& floorSurface,
   const vtkMTSurface& fragmentSurface, const vtkMTDeviation::Relation& relation, const Context& context,
   vtkMTDeviation::Findings& findings)
@@ -269,8 +287,8 @@ void vtkMTRegionStep::CertifyNormals(const vtkMTPatch& floor, const vtkMTSurface
   const vtkMTShadingNormals shading(*context.Arrays);
   const std::vector<std::array<float, 3>> floorNormals = shading.Get(floor);
   const std::vector<std::array<float, 3>> normals = shading.Get(this->Fragment.Mesh);
-  this->NormalDeviation = vtkMTNormalDeviation::Add({ floorSurface, floorNormals }, { fragmentSurface, normals },
-    { relation.FloorDeviations, context.FloorLevel == 0, shading.GetRounding() }, findings);
+  this->NormalDeviation = vtkMTNormalDeviation::Add(
+    { floorSurface, floorNormals }, { fragmentSurface, normals }, { relation.FloorDeviations }, findings);
 }
 
 // Moving a point by rounding moves its value with it: the partners stay the same.

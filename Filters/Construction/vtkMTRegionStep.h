@@ -44,8 +44,9 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTRegionStep
     const std::vector<vtkMTArrayInfo>* Arrays;
     const std::vector<std::uint64_t>* LockedIds; ///< sorted
     std::uint32_t FloorLevel;
-    double Reduction;            ///< triangles of the floor over those of the fragment
-    bool CertifyNormals = false; ///< or else there is no NormalDeviation
+    double Reduction;             ///< triangles of the floor over those of the fragment
+    bool CertifyNormals = false;  ///< or else there is no NormalDeviation
+    bool HasSmoothNormals = true; ///< of normals that are made: one for each point, and not split along hard edges
     /// Which arrays' values are certified; none or null: no ones.
     const std::vector<std::size_t>* CertifiedArrays = nullptr;
     /// Of the mesh that the sums of steps are held against (vtkMTDirectDeviation); below 2: they stand.
@@ -71,6 +72,7 @@ private:
     const vtkMTDeviation::Relation& relation, const Context& context, vtkMTDeviation::Findings& findings);
   void CertifyValues(const vtkMTCertifiedMesh& floor, const vtkMTSurface& floorSurface,
     const vtkMTSurface& fragmentSurface, const Context& context, const std::vector<vtkMTDeviation::Pair>& pairs);
+  void RenewNormals(const Context& context);
   void RoundPoints(std::vector<vtkMTTriangleDeviation>& deviations);
 };
 

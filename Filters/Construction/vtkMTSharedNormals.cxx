@@ -70,7 +70,7 @@ bool vtkMTSharedNormals::Add(const std::vector<Term>& terms, const std::vector<s
   return true;
 }
 
-bool vtkMTSharedNormals::Solve(const vtkMTOrientation& orientation, double featureAngle)
+bool vtkMTSharedNormals::Solve(const vtkMTOrientation& orientation, const Settings& settings)
 {
   std::vector<Term> terms; // of one point
   bool good = this->Terms.Finish();
@@ -78,10 +78,10 @@ bool vtkMTSharedNormals::Solve(const vtkMTOrientation& orientation, double featu
   {
     Term term;
     std::memcpy(&term, bytes, sizeof(term));
-    good = terms.empty() || terms[0].Key >> 32 == term.Key >> 32 || this->SolvePoint(terms, orientation, featureAngle);
+    good = terms.empty() || terms[0].Key >> 32 == term.Key >> 32 || this->SolvePoint(terms, orientation, settings);
     terms.push_back(term);
   }
-  good = good && !this->Terms.HasFailed() && this->SolvePoint(terms, orientation, featureAngle);
+  good = good && !this->Terms.HasFailed() && this->SolvePoint(terms, orientation, settings);
   good = good && this->Normals.Finish();
   this->Next = good ? this->Normals.Next() : nullptr;
   this->Error = this->Terms.GetError() + this->Normals.GetError();
@@ -89,10 +89,11 @@ bool vtkMTSharedNormals::Solve(const vtkMTOrientation& orientation, double featu
 }
 
 // Empties the list, whose last entries name regions.
-bool vtkMTSharedNormals::SolvePoint(std::vector<Term>& terms, const vtkMTOrientation& orientation, double featureAngle)
+bool vtkMTSharedNormals::SolvePoint(
+  std::vector<Term>& terms, const vtkMTOrientation& orientation, const Settings& settings)
 {
   std::vector<vtkMTPointNormals::Corner> corners;
-  std::array<double, 3> sum{ 0.0, 0.0, 0.0 };
+  vtkMTMadeNormals::Sum sum{ 0, 0, 0 };
   for (const Term& term : terms)
   {
     if (term.Triangle == AllTriangles)
@@ -104,15 +105,16 @@ bool vtkMTSharedNormals::SolvePoint(std::vector<Term>& terms, const vtkMTOrienta
     for (std::size_t i = 0; i < 3; ++i)
     {
       corners.back().Term[i] = isReversed ? -term.Sum[i] : term.Sum[i];
-      sum[i] += corners.back().Term[i];
     }
+    vtkMTPointNormals::Add(corners.back().Term, sum);
   }
   std::vector<std::array<float, 3>> normals;
-  if (featureAngle < vtkMTDihedralAngles::Smooth)
+  if (settings.FeatureAngle < vtkMTDihedralAngles::Smooth)
   {
-    normals = vtkMTPointNormals::GetNormalsOfGroups(corners, vtkMTPointNormals::GetCosine(featureAngle));
+    normals = vtkMTPointNormals::GetNormalsOfGroups(
+      corners, vtkMTPointNormals::GetCosine(settings.FeatureAngle), settings.Bits);
   }
-  const std::array<float, 3> first = normals.empty() ? vtkMTPointNormals::GetDirection(sum) : normals[0];
+  const std::array<float, 3> first = normals.empty() ? vtkMTPointNormals::GetDirection(sum, settings.Bits) : normals[0];
   bool added = true;
   for (std::size_t i = corners.size(); added && i < terms.size(); ++i)
   {

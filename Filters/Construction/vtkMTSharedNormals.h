@@ -3,8 +3,8 @@
  * @class vtkMTSharedNormals
  * @brief the normals of points that several regions share
  *
- * vtkMTPointNormals sums over the triangles around a point, in their order; around a shared point these are in several
- * regions. Their terms are sorted by point and triangle (externally), summed in that order, and the direction is sorted
+ * vtkMTPointNormals sums over the triangles around a point; around a shared point these are in several
+ * regions. Their terms are sorted by point and triangle (externally), summed, and the direction is sorted
  * back to every region that has the point. A term's sign is known when the orientation is. Where normals are split
  * along hard edges, the triangles around a point are in memory together, and those that do not belong to its first
  * group get a normal each.
@@ -26,6 +26,13 @@ class vtkMTOrientation;
 class VTKMTCONSTRUCTION_EXPORT vtkMTSharedNormals
 {
 public:
+  /// Degrees, and the net that the normals are put on (vtkMTMadeNormals).
+  struct Settings
+  {
+    double FeatureAngle;
+    int Bits;
+  };
+
   /// What one triangle adds at one of its corners, as it is stored.
   struct Term
   {
@@ -64,7 +71,7 @@ public:
   /// All fragments' terms, with the numbers that vtkMTOrientation gave to their components; then Solve; then regions in
   /// increasing order. False with a message in GetError.
   bool Add(const std::vector<Term>& terms, const std::vector<std::uint32_t>& components);
-  bool Solve(const vtkMTOrientation& orientation, double featureAngle);
+  bool Solve(const vtkMTOrientation& orientation, const Settings& settings);
   /// Of the fragment's shared points in their order, that of all triangles first.
   bool Take(std::uint32_t region, const vtkMTPatch& fragment, std::vector<Normal>& normals);
   ///@}
@@ -72,7 +79,7 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
-  bool SolvePoint(std::vector<Term>& terms, const vtkMTOrientation& orientation, double featureAngle);
+  bool SolvePoint(std::vector<Term>& terms, const vtkMTOrientation& orientation, const Settings& settings);
   bool AddNormal(std::uint32_t region, const Normal& normal);
 
   vtkMTRecordSort Terms;

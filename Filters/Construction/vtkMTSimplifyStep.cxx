@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTSimplifyStep.h"
 
+#include "vtkMTDihedralAngles.h"
+
 #include <algorithm>
 
 bool vtkMTSimplifyStep::Run()
@@ -61,7 +63,8 @@ bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::
     return true; // a region that lost all its triangles to its neighbours
   }
   vtkMTRegionStep::Context context{ this->Options.Simplifier, &this->State.Graph.Arrays, &records.Locks,
-    this->State.Level, this->Options.Reduction, this->Options.CertifyNormals, &this->CertifiedArrays };
+    this->State.Level, this->Options.Reduction, this->Options.CertifyNormals,
+    !(this->State.FeatureAngle < vtkMTDihedralAngles::Smooth), &this->CertifiedArrays };
   if (this->Options.KeepsFinerLevels())
   {
     context.LevelsBelow = std::min(this->State.Level + 1, static_cast<std::uint32_t>(this->Options.DirectLevels));

@@ -246,6 +246,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.LatticeBits = this->LatticeBits;
   settings.MakeNormals = this->MakeNormals;
   settings.FeatureAngle = this->FeatureAngle;
+  settings.NormalBits = this->NormalBits;
   settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.ExactPoints = this->ExactPoints;
   settings.CertifyNormals = this->CertifyNormals;
@@ -348,7 +349,10 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
     identity += "; certified " + name;
   }
   return identity + "; patches of " + std::to_string(this->PatchTriangles) + ", " + std::to_string(this->LatticeBits) +
-    " bits, normals " + (this->MakeNormals ? "made, feature angle " + std::to_string(this->FeatureAngle) : "not made") +
+    " bits, normals " +
+    (this->MakeNormals ? "made, feature angle " + std::to_string(this->FeatureAngle) + ", " +
+          std::to_string(this->NormalBits) + " bits of normals"
+                       : "not made") +
     (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") +
     (this->CertifyNormals ? ", normals certified" : "") + ", " + std::to_string(this->DirectLevels) +
     " direct levels; " + this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
@@ -413,6 +417,7 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "MakeNormals: " << (this->MakeNormals ? "on" : "off") << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "NormalBits: " << this->NormalBits << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "SpoolStore: " << (this->SpoolStore ? "given" : "in memory") << "\n";
   os << indent << "Resume: " << (this->Resume ? "on" : "off") << "\n";

@@ -2,16 +2,16 @@
 #include "vtkMTColumnCodec.h"
 
 #include "vtkMTDecodeScratch.h"
+#include "vtkMTMadeNormals.h"
 #include "vtkMTRiceCode.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
 
 namespace
 {
-constexpr float HalfNet = 2047.0f;
-constexpr std::uint16_t NoDirection = 4095;
+constexpr int DirectionBits = 12;
 
 // Residuals have nothing to do with the ones before them.
 bool IsResidual(const vtkMTArrayInfo& array)
@@ -151,8 +151,6 @@ struct DirectionRecord
 };
 static_assert(sizeof(DirectionRecord) == 8, "DirectionRecord");
 
-constexpr unsigned MostParameter = 15; // two of them are in a byte
-
 // Places on the net as they are expected: three quarters of the way to where a parallelogram would end. Places are
 // counted from one.
 std::uint16_t Expect(const std::uint16_t* known, const vtkMTTriangleCodec::Basis& basis, std::size_t i)
@@ -167,93 +165,17 @@ std::uint16_t Expect(const std::uint16_t* known, const vtkMTTriangleCodec::Basis
   return static_cast<std::uint16_t>((3 * (a + b) - 2 * c + 2) >> 2);
 }
 
-std::uint32_t ToZigzag16(std::uint16_t difference)
-{
-  return static_cast<std::uint16_t>((difference << 1) ^ (0 - (difference >> 15)));
-}
-
 std::uint16_t FromZigzag16(std::uint32_t code)
 {
   return static_cast<std::uint16_t>((code >> 1) ^ (0u - (code & 1)));
-}
-
-std::uint16_t ToNet(float x)
-{
-  return static_cast<std::uint16_t>(std::lround(std::clamp(x, -1.0f, 1.0f) * HalfNet) + 2047);
 }
 }
 
 namespace vtkMTColumnCodec
 {
-std::array<std::uint16_t, 2> EncodeDirection(const std::array<float, 3>& d)
-{
-  const float sum = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
-  if (!(sum > 0.0f) || !std::isfinite(sum))
-  {
-    return { NoDirection, NoDirection };
-  }
-  float x = d[0] / sum;
-  float y = d[1] / sum;
-  if (d[2] < 0.0f)
-  {
-    const float folded = (1.0f - std::abs(y)) * (x < 0.0f ? -1.0f : 1.0f);
-    y = (1.0f - std::abs(x)) * (y < 0.0f ? -1.0f : 1.0f);
-    x = folded;
-  }
-  return { ToNet(x), ToNet(y) };
-}
-
-std::array<float, 3> DecodeDirection(const std::array<std::uint16_t, 2>& place)
-{
-  std::array<float, 3> direction;
-  const std::uint32_t first = 0;
-  DecodeDirections(place.data(), place.data() + 1, 1, &first, reinterpret_cast<unsigned char*>(direction.data()));
-  return direction;
-}
-
-// In blocks, whose loop has no branch, so that several directions are computed at once.
-void DecodeDirections(const std::uint16_t* u, const std::uint16_t* v, std::size_t count, const std::uint32_t* places,
-  unsigned char* directions)
-{
-  constexpr std::size_t blockSize = 64;
-  float xs[blockSize];
-  float ys[blockSize];
-  float zs[blockSize];
-  for (std::size_t begin = 0; begin < count; begin += blockSize)
-  {
-    const std::size_t size = std::min(blockSize, count - begin);
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      const float isSome = std::max(u[begin + i], v[begin + i]) < NoDirection ? 1.0f : 0.0f;
-      const float x = (static_cast<float>(u[begin + i]) - HalfNet) / HalfNet;
-      const float y = (static_cast<float>(v[begin + i]) - HalfNet) / HalfNet;
-      const float z = 1.0f - std::abs(x) - std::abs(y);
-      const float unfoldedX = std::copysign(1.0f - std::abs(y), x);
-      const float unfoldedY = std::copysign(1.0f - std::abs(x), y);
-      const float a = z < 0.0f ? unfoldedX : x;
-      const float b = z < 0.0f ? unfoldedY : y;
-      const float length = std::sqrt(a * a + b * b + z * z);
-      xs[i] = isSome * (a / length);
-      ys[i] = isSome * (b / length);
-      zs[i] = isSome * (z / length);
-    }
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      const float direction[3] = { xs[i], ys[i], zs[i] };
-      std::memcpy(directions + places[begin + i] * sizeof(direction), direction, sizeof(direction));
-    }
-  }
-}
-
 std::uint64_t GetPackedSize(const vtkMTArrayInfo& array, std::uint64_t tuples)
 {
   return tuples * array.GetTupleSize();
-}
-
-bool IsDirection(const vtkMTArrayInfo& array)
-{
-  return array.Role == vtkMTArrayInfo::MadeNormals && array.GetTupleSize() == 3 * sizeof(float) &&
-    array.Association == vtkMTArrayInfo::Point;
 }
 
 std::vector<unsigned char> Pack(
@@ -274,46 +196,6 @@ void Unpack(const vtkMTArrayInfo& array, const std::vector<unsigned char>& packe
   ForSize(array.GetTupleSize() / layout.Components,
     [&](auto number)
     { UnpackNumbers<decltype(number)>(packed.data(), layout, Order(array, traversal), column.data()); });
-}
-
-void PackDirections(const vtkMTColumn& column, const vtkMTDecodeScratch& traversal, std::vector<unsigned char>& bytes)
-{
-  const std::size_t tuples = column.size() / sizeof(std::array<float, 3>);
-  std::array<std::vector<std::uint16_t>, 2> known{ std::vector<std::uint16_t>(tuples + 1),
-    std::vector<std::uint16_t>(tuples + 1) };
-  for (std::size_t i = 0; i < tuples; ++i)
-  {
-    std::array<float, 3> direction;
-    std::memcpy(direction.data(), column.data() + traversal.WedgeOfStream[i] * sizeof(direction), sizeof(direction));
-    const std::array<std::uint16_t, 2> place = EncodeDirection(direction);
-    known[0][i + 1] = place[0];
-    known[1][i + 1] = place[1];
-  }
-  DirectionRecord record{};
-  std::array<vtkMTRiceCode::Coded, 2> coded;
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    record.First[k] = tuples > 0 ? known[k][1] : std::uint16_t(0);
-    known[k][0] = record.First[k];
-    std::vector<std::uint32_t> codes(tuples);
-    for (std::size_t i = 0; i < tuples; ++i)
-    {
-      codes[i] =
-        ToZigzag16(static_cast<std::uint16_t>(known[k][i + 1] - Expect(known[k].data(), traversal.Mesh.Bases[i], i)));
-    }
-    coded[k] = vtkMTRiceCode::Encode(codes, MostParameter);
-  }
-  record.UnarySize = static_cast<std::uint32_t>(coded[0].Unary.size());
-  const auto* head = reinterpret_cast<const unsigned char*>(&record);
-  bytes.insert(bytes.end(), head, head + sizeof(record));
-  for (std::size_t block = 0; block < coded[0].Parameters.size(); ++block)
-  {
-    bytes.push_back(static_cast<unsigned char>(coded[0].Parameters[block] | coded[1].Parameters[block] << 4));
-  }
-  for (const auto& part : { coded[0].Low, coded[1].Low, coded[0].Unary, coded[1].Unary })
-  {
-    bytes.insert(bytes.end(), part.begin(), part.end());
-  }
 }
 
 bool UnpackDirections(const unsigned char* data, std::size_t size, std::size_t tuples,
@@ -369,7 +251,8 @@ bool UnpackDirections(const unsigned char* data, std::size_t size, std::size_t t
     }
   }
   column.resize(tuples * sizeof(std::array<float, 3>));
-  DecodeDirections(known[0].data() + 1, known[1].data() + 1, tuples, traversal.WedgeOfStream.data(), column.data());
+  vtkMTMadeNormals::GetNormals(
+    known[0].data() + 1, known[1].data() + 1, tuples, DirectionBits, traversal.WedgeOfStream.data(), column.data());
   return readers[0].IsAtEnd() && readers[1].IsAtEnd();
 }
 }

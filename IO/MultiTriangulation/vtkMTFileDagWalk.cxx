@@ -130,9 +130,17 @@ bool vtkMTFileDagReader::CheckSections(std::uint32_t arc, std::string& error)
         ", which a newer program must read";
       return false;
     }
+    if (!isOther && section.Codec > Expected)
+    {
+      error = "arc " + std::to_string(arc) + " has a section of codec " + std::to_string(section.Codec) +
+        ", which a newer program must read";
+      return false;
+    }
     const std::uint64_t size = Align(section.StoredSize);
     good = size <= this->Blocks.Header.FileSize - this->NextOffset && section.Flags <= MustBeKnown &&
-      (isOther || (section.Codec <= Zstd && section.Class <= this->Graph.Arrays.size())) &&
+      (isOther ||
+        (section.Codec <= (section.Class == GeometryClass ? Zstd : Expected) &&
+          section.Class <= this->Graph.Arrays.size())) &&
       (i == 0 ? section.Class == GeometryClass
               : this->Tables.Sections[this->NextSection + i - 1].Class < section.Class);
     this->NextOffset += good ? size : 0;

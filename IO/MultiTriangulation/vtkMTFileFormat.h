@@ -23,9 +23,10 @@ constexpr std::uint64_t HeaderSizeLimit = 65536;
 
 enum Codec : std::uint8_t
 {
-  Raw = 0, // as it is in memory
-  Lz4 = 1, // packed, what can be encoded in fewer bytes again is an LZ4 block
-  Zstd = 2 // the same, a zstd frame
+  Raw = 0,     // as it is in memory
+  Lz4 = 1,     // packed, what can be encoded in fewer bytes again is an LZ4 block
+  Zstd = 2,    // the same, a zstd frame
+  Expected = 3 // normals that the builder made, as differences to what the triangles say
 };
 
 enum BlockType : std::uint32_t

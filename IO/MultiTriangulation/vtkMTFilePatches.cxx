@@ -99,8 +99,8 @@ bool vtkMTFilePatches::DecodeSection(std::uint32_t arc, const vtkMTFileSection& 
   else if (good)
   {
     const std::size_t array = section.GetArray();
-    good = vtkMTPatchCodec::DecodeColumn(
-      section, data, record, this->Graph.Arrays[array], ScratchOfThread::Get(), this->GetColumn(array, patch), error);
+    good = vtkMTPatchCodec::DecodeColumn(section, data, record, this->Graph.Arrays[array], patch,
+      ScratchOfThread::Get(), this->GetColumn(array, patch), error);
   }
   error = good ? error : "section of class " + std::to_string(section.Class) + " " + error;
   return good;

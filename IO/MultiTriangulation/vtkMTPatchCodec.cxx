@@ -5,6 +5,8 @@
 #include "vtkMTChecksum.h"
 #include "vtkMTColumnCodec.h"
 #include "vtkMTDecodeScratch.h"
+#include "vtkMTMadeNormals.h"
+#include "vtkMTNormalCodec.h"
 #include "vtkMTPackedGeometry.h"
 #include "vtkMTPatchOrder.h"
 #include "vtkMTRawGeometry.h"
@@ -85,11 +87,6 @@ bool CloseSection(Codec codec, std::size_t sectionClass, std::size_t begin, std:
 bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal,
   Codec codec, std::vector<unsigned char>& bytes)
 {
-  if (vtkMTColumnCodec::IsDirection(array))
-  {
-    vtkMTColumnCodec::PackDirections(column, traversal, bytes);
-    return true;
-  }
   const std::size_t begin = bytes.size();
   const std::vector<unsigned char> packed = vtkMTColumnCodec::Pack(array, column, traversal);
   return vtkMTByteCodec::Compress(codec, packed.data(), packed.size(), bytes) &&
@@ -98,16 +95,26 @@ bool PackColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vt
 
 // A column of no bytes has no section. An array that does not become smaller is stored as it is, and so is one without
 // neighbours.
-bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTDecodeScratch& traversal,
-  Codec codec, std::size_t sectionClass, std::vector<unsigned char>& bytes, std::vector<vtkMTFileSection>& sections)
+bool AppendColumn(const vtkMTArrayInfo& array, const vtkMTColumn& column, const vtkMTPatch& patch,
+  const vtkMTDecodeScratch& traversal, Codec codec, std::size_t sectionClass, std::vector<unsigned char>& bytes,
+  std::vector<vtkMTFileSection>& sections)
 {
   if (column.empty())
   {
     return true;
   }
   const std::size_t begin = bytes.size();
-  const bool isSmaller =
-    traversal.IsKnown && PackColumn(array, column, traversal, codec, bytes) && bytes.size() - begin < column.size();
+  bool isSmaller = traversal.IsKnown;
+  if (isSmaller && vtkMTMadeNormals::AreIn(array))
+  {
+    vtkMTNormalCodec::Encode(column, patch, vtkMTMadeNormals::GetBits(array), bytes);
+    codec = vtkMTFileFormat::Expected;
+  }
+  else if (isSmaller)
+  {
+    isSmaller = PackColumn(array, column, traversal, codec, bytes);
+  }
+  isSmaller = isSmaller && bytes.size() - begin < column.size();
   if (!isSmaller)
   {
     bytes.resize(begin);
@@ -174,7 +181,7 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
   {
     const bool ofPoints = arrays[i].Association == vtkMTArrayInfo::Point;
     const std::vector<vtkMTColumn>& columns = ofPoints ? order.Patch.PointColumns : order.Patch.CellColumns;
-    fits = AppendColumn(arrays[i], columns[next[ofPoints ? 0 : 1]++], traversal, codec,
+    fits = AppendColumn(arrays[i], columns[next[ofPoints ? 0 : 1]++], order.Patch, traversal, codec,
       vtkMTFileFormat::FirstArrayClass + i, bytes, sections);
     error = fits ? error : "has more than 4 GiB of array \"" + arrays[i].Name + "\"";
   }
@@ -212,7 +219,8 @@ bool MayBeMissing(const vtkMTArc& arc, const vtkMTArrayInfo& array)
 }
 
 bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  const vtkMTArrayInfo& array, const vtkMTDecodeScratch& traversal, vtkMTColumn& column, std::string& error)
+  const vtkMTArrayInfo& array, const vtkMTPatch& patch, const vtkMTDecodeScratch& traversal, vtkMTColumn& column,
+  std::string& error)
 {
   const std::uint64_t tuples = array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles;
   if (section.Codec == vtkMTFileFormat::Raw)
@@ -226,12 +234,19 @@ bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const
     column.assign(data, data + section.StoredSize);
     return true;
   }
+  if (section.Codec == vtkMTFileFormat::Expected)
+  {
+    const bool done = vtkMTMadeNormals::AreIn(array) && patch.GetNumberOfWedges() == arc.Wedges &&
+      patch.Triangles.size() == arc.Triangles && vtkMTNormalCodec::Decode(data, section.StoredSize, patch, column);
+    error = done ? error : "holds no normals of this patch";
+    return done;
+  }
   if (!traversal.IsKnown)
   {
     error = "is packed where the geometry is not";
     return false;
   }
-  if (vtkMTColumnCodec::IsDirection(array))
+  if (vtkMTMadeNormals::AreIn(array))
   {
     const bool done =
       vtkMTColumnCodec::UnpackDirections(data, section.StoredSize, static_cast<std::size_t>(tuples), traversal, column);

@@ -40,10 +40,11 @@ bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigne
 /// Whether an array of the arc's patch may have no section: it has no values there.
 bool MayBeMissing(const vtkMTArc& arc, const vtkMTArrayInfo& array);
 
-/// An array's column from its section's bytes, after the geometry of the same patch; Slack bytes behind them can be
-/// read, too.
+/// An array's column from its section's bytes, after the geometry of the same patch, which it may be one of; Slack
+/// bytes behind them can be read, too.
 bool DecodeColumn(const vtkMTFileFormat::SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,
-  const vtkMTArrayInfo& array, const vtkMTDecodeScratch& traversal, vtkMTColumn& column, std::string& error);
+  const vtkMTArrayInfo& array, const vtkMTPatch& patch, const vtkMTDecodeScratch& traversal, vtkMTColumn& column,
+  std::string& error);
 }
 
 #endif

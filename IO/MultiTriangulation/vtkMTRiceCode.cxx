@@ -81,14 +81,14 @@ unsigned ChooseParameter(const std::uint32_t* codes, std::size_t count, unsigned
 
 namespace vtkMTRiceCode
 {
-Coded Encode(const std::vector<std::uint32_t>& codes, unsigned mostBits)
+Coded Encode(const std::vector<std::uint32_t>& codes, unsigned mostBits, std::size_t head)
 {
   Coded coded;
   BitWriter low(coded.Low);
   BitWriter unary(coded.Unary);
-  for (std::size_t begin = 0; begin < codes.size(); begin += BlockSize)
+  for (std::size_t begin = 0, end = 0; begin < codes.size(); begin = end)
   {
-    const std::size_t end = std::min(begin + BlockSize, codes.size());
+    end = std::min(begin + BlockSize, begin < head ? head : codes.size());
     const unsigned parameter = ChooseParameter(codes.data() + begin, end - begin, mostBits);
     coded.Parameters.push_back(static_cast<unsigned char>(parameter));
     for (std::size_t i = begin; i < end; ++i)
@@ -96,8 +96,8 @@ Coded Encode(const std::vector<std::uint32_t>& codes, unsigned mostBits)
       low.Put(codes[i] & static_cast<std::uint32_t>((std::uint64_t(1) << parameter) - 1), parameter);
       unary.PutUnary(GetHigh(codes[i], parameter));
     }
+    low.Finish();
   }
-  low.Finish();
   unary.Finish();
   return coded;
 }

@@ -39,8 +39,8 @@ struct Coded
   std::vector<unsigned char> Unary;
 };
 
-/// mostBits: the largest parameter to be used.
-Coded Encode(const std::vector<std::uint32_t>& codes, unsigned mostBits = MostBits);
+/// mostBits: the largest parameter to be used. head: so many codes have blocks of their own, before the others'.
+Coded Encode(const std::vector<std::uint32_t>& codes, unsigned mostBits = MostBits, std::size_t head = 0);
 
 /// Block after block of such a list.
 class Reader

@@ -98,6 +98,7 @@ _SETTINGS = {
     "threads": _set("SetNumberOfThreads"),
     "precision": _set("SetPrecision"),
     "feature_angle": _set("SetFeatureAngle", _get_feature_angle),
+    "normal_bits": _set("SetNormalBits"),
     "compression": _set("SetCompression", _get_compression),
     "arrays": _keep_arrays,
     "labels": _add_all("AddLabelArrayName"),
@@ -114,8 +115,8 @@ _SETTINGS = {
 }
 # Those that mean something for a mesh that is in memory.
 _OF_MESHES = {
-    "partition", "simplifier", "memory", "patch_triangles", "lattice_bits", "threads", "feature_angle", "labels", "values",
-    "exact", "certify_normals", "certify_values", "direct_levels", "keep_far_outliers", "normals",
+    "partition", "simplifier", "memory", "patch_triangles", "lattice_bits", "threads", "feature_angle", "normal_bits", "labels",
+    "values", "exact", "certify_normals", "certify_values", "direct_levels", "keep_far_outliers", "normals",
 }
 
 

@@ -197,7 +197,7 @@ Tally Check(const vtkMTPatch& floor, const Normals& floorNormals, const vtkMTPat
 }
 
 double Certify(const vtkMTPatch& floor, const Normals& floorNormals, const vtkMTPatch& fragment, const Normals& normals,
-  const std::vector<vtkMTTriangleDeviation>& known, double rounding, vtkMTDeviation::Findings& findings)
+  const std::vector<vtkMTTriangleDeviation>& known, vtkMTDeviation::Findings& findings)
 {
   const vtkMTPoint origin{ 0, 0, 0 };
   const vtkMTSurface floorSurface(floor, origin);
@@ -206,8 +206,7 @@ double Certify(const vtkMTPatch& floor, const Normals& floorNormals, const vtkMT
   relation.FloorDeviations = known;
   findings.KeepPairs = true;
   vtkMTDeviation::Between(floorSurface, fragmentSurface, relation, findings);
-  return vtkMTNormalDeviation::Add(
-    { floorSurface, floorNormals }, { fragmentSurface, normals }, { known, true, rounding }, findings)
+  return vtkMTNormalDeviation::Add({ floorSurface, floorNormals }, { fragmentSurface, normals }, { known }, findings)
     .Largest;
 }
 }
@@ -276,7 +275,7 @@ TEST(NormalDeviation, PartnersAreWithinDistanceAndAngleBothWays)
     MakeWave(8, 4096, height, fragment, normals);
     vtkMTDeviation::Findings findings;
     const std::vector<vtkMTTriangleDeviation> known(floor.Triangles.size());
-    const double largest = Certify(floor, floorNormals, fragment, normals, known, 0.0, findings);
+    const double largest = Certify(floor, floorNormals, fragment, normals, known, findings);
     const Tally tally = Check(floor, floorNormals, fragment, normals, findings);
     std::printf("height %.0f: certified %.4f, sampled %.4f\n", height, tally.Certified, tally.Sampled);
     EXPECT_EQ(tally.Broken, 0u);
@@ -299,32 +298,29 @@ TEST(NormalDeviation, DoesNotGrowWithTheCurvatureOfLargeTriangles)
     MakeWave(n, 1 << 20, 50000.0, fragment, normals);
     vtkMTDeviation::Findings findings;
     const std::vector<vtkMTTriangleDeviation> known(floor.Triangles.size());
-    const double angle = Certify(floor, floorNormals, fragment, normals, known, 0.0, findings);
+    const double angle = Certify(floor, floorNormals, fragment, normals, known, findings);
     std::printf("%d cells: %.5f\n", n, angle);
     EXPECT_TRUE(before == 0.0 || angle < before / 3.0);
     before = angle;
   }
 }
 
-TEST(NormalDeviation, WhatIsKnownOfTheFloorAndRoundingAreAdded)
+TEST(NormalDeviation, WhatIsKnownOfTheFloorIsAdded)
 {
   vtkMTPatch mesh;
   Normals normals;
   MakeWave(4, 4096, 0.0, mesh, normals);
   std::vector<vtkMTTriangleDeviation> known(mesh.Triangles.size());
   vtkMTDeviation::Findings findings;
-  EXPECT_EQ(Certify(mesh, normals, mesh, normals, known, 0.0, findings), 0.0);
+  EXPECT_EQ(Certify(mesh, normals, mesh, normals, known, findings), 0.0);
   known[7].NormalToInput = vtkMTNormalDeviation::RoundUp(0.5);
   known[9].NormalFromInput = vtkMTNormalDeviation::RoundUp(0.25);
   findings = vtkMTDeviation::Findings();
-  EXPECT_NEAR(Certify(mesh, normals, mesh, normals, known, 0.0, findings), 0.5, 1e-4);
+  EXPECT_NEAR(Certify(mesh, normals, mesh, normals, known, findings), 0.5, 1e-4);
   const auto toInput = [&](std::size_t s) { return findings.Deviations[s].NormalToInput; };
   EXPECT_EQ(toInput(7), known[7].NormalToInput);
   EXPECT_EQ(findings.Deviations[9].NormalFromInput, known[9].NormalFromInput);
   EXPECT_EQ(toInput(20) + findings.Deviations[20].NormalFromInput, 0) << "far from both";
-  findings = vtkMTDeviation::Findings();
-  const double rounded = Certify(mesh, normals, mesh, normals, known, 0.01, findings);
-  EXPECT_NEAR(rounded, 0.52, 1e-3) << "of the input's normals and of the fragment's";
 }
 
 TEST(NormalDeviation, OppositeAndMissingNormalsAreAStraightAngle)
@@ -340,12 +336,12 @@ TEST(NormalDeviation, OppositeAndMissingNormalsAreAStraightAngle)
   for (const Normals& other : { turned, none })
   {
     vtkMTDeviation::Findings findings;
-    EXPECT_EQ(Certify(mesh, normals, mesh, other, known, 0.0, findings), vtkMTNormalDeviation::Pi);
+    EXPECT_EQ(Certify(mesh, normals, mesh, other, known, findings), vtkMTNormalDeviation::Pi);
     EXPECT_EQ(findings.Deviations[0].NormalToInput, 65535u);
     EXPECT_EQ(findings.Deviations[20].NormalToInput, 0u);
   }
   vtkMTDeviation::Findings findings;
-  EXPECT_EQ(Certify(mesh, none, mesh, none, known, 0.0, findings), vtkMTNormalDeviation::Pi) << "of both";
+  EXPECT_EQ(Certify(mesh, none, mesh, none, known, findings), vtkMTNormalDeviation::Pi) << "of both";
 }
 
 TEST(NormalDeviation, AnglesAreStoredRoundedUpAndDoNotDrift)

@@ -3,6 +3,7 @@
 #include "vtkMTAssembler.h"
 #include "vtkMTCut.h"
 #include "vtkMTGraph.h"
+#include "vtkMTMadeNormals.h"
 #include "vtkMTPatchSource.h"
 #include "vtkMTRandomCut.h"
 #include "vtkMultiTriangulation.h"
@@ -22,7 +23,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 namespace
@@ -188,6 +191,61 @@ TEST(BuilderArrays, MadeNormalsAreOneForEachPointInEveryCut)
   }
   std::printf("least cosine between a normal and the sphere's own: %.4f\n", worst);
   EXPECT_GT(worst, 0.9);
+}
+
+// By this a file of theirs is small: the triangles of a patch say what they are, but at points that are shared.
+TEST(BuilderArrays, MadeNormalsInsideOfPatchesFollowFromTheirTrianglesOnEveryLevel)
+{
+  for (const int bits : { 7, 12, 16 })
+  {
+    vtkNew<vtkPolyData> input;
+    MakeSphere(input, 80);
+    vtkNew<vtkMultiTriangulationBuilder> builder;
+    builder->SetInputData(input);
+    builder->SetPatchTriangles(200);
+    builder->SetNormalBits(bits);
+    builder->Update();
+    const auto source = vtkMultiTriangulation::SafeDownCast(builder->GetOutputDataObject(0))->GetSource();
+    const vtkMTGraph& graph = source->GetGraph();
+    const auto info = std::find_if(graph.Arrays.begin(), graph.Arrays.end(), vtkMTMadeNormals::AreIn);
+    ASSERT_NE(info, graph.Arrays.end());
+    EXPECT_EQ(vtkMTMadeNormals::GetBits(*info), bits);
+    std::size_t inside = 0;
+    std::size_t shared = 0;
+    std::size_t others = 0;
+    for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+    {
+      vtkMTPatch patch;
+      std::string error;
+      ASSERT_TRUE(source->ReadPatch(arc, nullptr, patch, error)) << error;
+      ASSERT_TRUE(patch.WedgePoints.empty());
+      std::vector<vtkMTMadeNormals::Sum> sums;
+      vtkMTMadeNormals::GetSums(patch, true, sums);
+      for (std::size_t p = 0; p < patch.Points.size(); ++p)
+      {
+        std::array<float, 3> normal;
+        std::memcpy(normal.data(), patch.PointColumns[0].data() + p * sizeof(normal), sizeof(normal));
+        EXPECT_EQ(vtkMTMadeNormals::GetNormal(vtkMTMadeNormals::GetPlace(normal, bits), bits), normal)
+          << "is on the net";
+        const bool follows = vtkMTMadeNormals::GetNormal(vtkMTMadeNormals::GetPlace(sums[p], bits), bits) == normal;
+        (p < patch.Ids.size() ? shared : inside) += 1;
+        others += !follows && p >= patch.Ids.size() ? 1 : 0;
+      }
+    }
+    std::printf("%d bits: %zu inside, %zu shared, %zu inside do not follow\n", bits, inside, shared, others);
+    EXPECT_GT(inside, shared);
+    EXPECT_EQ(others, 0u);
+  }
+}
+
+TEST(BuilderArrays, BitsOfNormalsAreClamped)
+{
+  vtkNew<vtkMultiTriangulationBuilder> builder;
+  EXPECT_EQ(builder->GetNormalBits(), 12);
+  builder->SetNormalBits(1);
+  EXPECT_EQ(builder->GetNormalBits(), vtkMTMadeNormals::MinimumBits);
+  builder->SetNormalBits(99);
+  EXPECT_EQ(builder->GetNormalBits(), vtkMTMadeNormals::MaximumBits);
 }
 
 TEST(BuilderArrays, LabelsAndIdsAreNeverMixed)

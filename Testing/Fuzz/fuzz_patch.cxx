@@ -45,12 +45,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string error;
   vtkMTPatch patch;
   vtkMTDecodeScratch traversal;
-  vtkMTPatchCodec::DecodeGeometry(section, geometry.data(), arc, traversal, patch, error);
+  if (!vtkMTPatchCodec::DecodeGeometry(section, geometry.data(), arc, traversal, patch, error))
+  {
+    patch = vtkMTPatch();
+  }
   vtkMTColumn column;
   if (array.GetTupleSize() > 0)
   {
     section.StoredSize = valuesSize;
-    vtkMTPatchCodec::DecodeColumn(section, values.data(), arc, array, traversal, column, error);
+    section.Codec = data[0] / 4 % 4 == 3 ? static_cast<std::uint8_t>(vtkMTFileFormat::Expected) : section.Codec;
+    vtkMTPatchCodec::DecodeColumn(section, values.data(), arc, array, patch, traversal, column, error);
   }
   return 0;
 }

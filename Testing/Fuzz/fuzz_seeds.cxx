@@ -81,8 +81,9 @@ bool WritePatches(const std::string& folder)
     std::string error;
     done = vtkMTPatchCodec::Encode(MakeSheet(), { normals }, codec, bytes, sections, error) && done;
     const std::uint32_t size = done ? sections[0].StoredSize : 0;
-    const unsigned char head[16] = { static_cast<unsigned char>(codec), 64, 0, 64, 0, 98, 0, 4, 0, 10, 2, 0, 1,
-      static_cast<unsigned char>(size), static_cast<unsigned char>(size >> 8), 0 };
+    const bool isExpected = done && sections[1].Codec == vtkMTFileFormat::Expected;
+    const unsigned char head[16] = { static_cast<unsigned char>(codec + (isExpected ? 12 : 0)), 64, 0, 64, 0, 98, 0, 4,
+      0, 10, 2, 0, 1, static_cast<unsigned char>(size), static_cast<unsigned char>(size >> 8), 0 };
     std::ofstream file(folder + "/patch" + std::to_string(int(codec)), std::ios::binary);
     file.write(reinterpret_cast<const char*>(head), sizeof(head));
     for (const auto& section : sections)

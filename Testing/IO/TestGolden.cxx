@@ -93,3 +93,29 @@ TEST(Golden, WhatIsWrittenTodayIsThatFile)
 {
   EXPECT_EQ(Write(*MakeModel()), ReadFile(Path)) << "the format has changed: it needs another version";
 }
+
+// Programs before vtkMTNormalCodec wrote the normals of golden-6-normals.bmt (bmt generate fractal-sphere --triangles
+// 1280; bmt build --patch-triangles 64 --no-ids). The sum is that of what the reader of that time in Python found.
+TEST(Golden, NormalsOfEarlierProgramsAreReadAsTheyWere)
+{
+  vtkMTFileSource source;
+  std::string error;
+  ASSERT_TRUE(source.Open(MT_SOURCE_DIRECTORY "/Testing/Data/golden-6-normals.bmt", error)) << error;
+  const vtkMTGraph& graph = source.GetGraph();
+  ASSERT_EQ(graph.Arrays.size(), 1u);
+  ASSERT_EQ(graph.Arrays[0].Role, vtkMTArrayInfo::MadeNormals);
+  std::uint64_t hash = 14695981039346656037u;
+  std::size_t bytes = 0;
+  for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+  {
+    vtkMTPatch patch;
+    ASSERT_TRUE(source.ReadPatch(arc, nullptr, patch, error)) << error;
+    for (const unsigned char byte : patch.PointColumns[0])
+    {
+      hash = (hash ^ byte) * 1099511628211u;
+    }
+    bytes += patch.PointColumns[0].size();
+  }
+  EXPECT_EQ(bytes, 1643u * 12);
+  EXPECT_EQ(hash, 17135149133926624499u);
+}

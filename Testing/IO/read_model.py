@@ -687,11 +687,97 @@ def single(x):
     return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
-def direction(u, v):
-    if u >= 4095 or v >= 4095:
+ARC = [single(c) for c in (0.0177230909, -0.0785178393, 0.175562292, -0.329162508, 0.999793112)]
+QUARTER = single(0.785398185)
+NOTHING = 2.0**-100
+
+
+def angle(y, x):
+    a = abs(x)
+    r = single(single(a - y) / single(single(a + y) + NOTHING))
+    s = single(r * r)
+    p = ARC[0]
+    for c in ARC[1:]:
+        p = single(c + single(s * p))
+    p = single(QUARTER + single(r * p))
+    return single(2 * QUARTER + (p if x < 0.0 else -p))
+
+
+def normal_terms(corners):
+    """What a triangle adds at each of its corners."""
+    a, b, c = ([float(x) for x in corner] for corner in corners)
+    u, v = ([q - p for p, q in zip(*pair)] for pair in ((a, b), (a, c)))
+    w = [q - p for p, q in zip(u, v)]
+    n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    n = [single(x * 2.0**-32) for x in n]
+    length = single(math.sqrt(single(single(single(n[0] * n[0]) + single(n[1] * n[1])) + single(n[2] * n[2]))))
+    inverse = single(1.0 / single(length + NOTHING))
+    unit = [single(x * inverse) for x in n]
+
+    def dot(p, q):
+        return single((p[0] * q[0] + p[1] * q[1] + p[2] * q[2]) * 2.0**-32)
+
+    weights = [single(2.0**17 * angle(length, d)) for d in (dot(u, v), -dot(u, w), dot(v, w))]
+    return [[int(single(x * weight)) for x in unit] for weight in weights]
+
+
+def expected_place(sums, half):
+    x, y, z = (single(s) for s in sums)
+    scale = single(half / single(single(single(abs(x) + abs(y)) + abs(z)) + NOTHING))
+    p, q = single(x * scale), single(y * scale)
+    if z < 0.0:
+        outer = single(half - abs(q)), single(half - abs(p))
+        p, q = (-outer[0] if p < 0.0 else outer[0]), (-outer[1] if q < 0.0 else outer[1])
+    a, b = round(p), round(q)
+    return (abs(a) if abs(b) == half else a), (abs(b) if abs(a) == half else b)
+
+
+def turn(place, half):
+    u, v = half - abs(place[1]), half - abs(place[0])
+    return (-u if place[0] < 0 else u), (-v if place[1] < 0 else v)
+
+
+def unpack_normals(data, patch):
+    count = patch.wedges_count
+    size, of_points, zero, unary_size = struct.unpack_from("<BBHI", data)
+    require(6 <= size <= 16 and of_points <= 1 and zero == 0, "a section of normals begins wrong")
+    half = 2**(size - 1) - 1
+    points = patch.wedges or list(range(count))
+    sums = [[0, 0, 0] for _ in range(count)]
+    for t in patch.triangles:
+        for w, term in zip(t, normal_terms([patch.points[points[w]] for w in t])):
+            known = sums[points[w] if of_points else w]
+            known[:] = [a + b for a, b in zip(known, term)]
+    shared = sum(p < len(patch.ids) for p in points)
+    blocks = [min(64, n - begin) for n in (shared, count - shared) for begin in range(0, n, 64)]
+    parameters = data[8:8 + len(blocks)]
+    block_of = [i for i, block in enumerate(blocks) for _ in range(block)]
+    kept = [i for i, p in enumerate(parameters) if p != 255]
+    stream = Stream(data[8 + len(blocks):])
+    k = [[parameters[i] >> shift & 15 for i in kept] for shift in (0, 4)]
+    require(all(p <= 14 for axis in k for p in axis), "a parameter is too large")
+    kept_blocks = [blocks[i] for i in kept]
+    lows = [stream.take(low_size(kept_blocks, k[axis])) for axis in range(2)]
+    unary = [stream.take(unary_size), b""]
+    unary[1] = stream.take(len(stream.data) - stream.at)
+    codes = [iter(rice_codes(kept_blocks, k[axis], lows[axis], unary[axis])) for axis in range(2)]
+    normals = []
+    for w in range(count):
+        place = expected = expected_place(sums[points[w] if of_points else w], half)
+        if parameters[block_of[w]] != 255:
+            outer = abs(expected[0]) + abs(expected[1]) > half
+            begin = turn(expected, half) if outer else expected
+            place = [((begin[axis] + half + unzigzag(next(codes[axis]), 16)) & 0xFFFF) - half for axis in range(2)]
+            place = turn(place, half) if outer and max(abs(place[0]), abs(place[1])) <= half else place
+        normals.append(direction(place[0] + half, place[1] + half, half))
+    return normals
+
+
+def direction(u, v, half=2047):
+    if u > 2 * half or v > 2 * half:
         return (0.0, 0.0, 0.0)
-    x = single((u - 2047.0) / 2047.0)
-    y = single((v - 2047.0) / 2047.0)
+    x = single((u - half) / half)
+    y = single((v - half) / half)
     rest_x, rest_y = single(1.0 - abs(x)), single(1.0 - abs(y))
     z = single(rest_x - abs(y))
     if z < 0.0:
@@ -709,6 +795,9 @@ def read_column(array, arc, patch, codec, data):
     if codec == 0:
         require(len(data) == tuples * array.tuple_size, "a column of another length")
         return data
+    if codec == 3:
+        require(array.role == 2 and not of_cells and array.tuple_size == 12, "normals where there are none")
+        return b"".join(struct.pack("<3f", *normal) for normal in unpack_normals(data, patch))
     size = array.tuple_size // array.components
     if array.role == 2 and not of_cells and array.tuple_size == 12:
         values = [struct.pack("<3f", *d) for d in unpack_directions(data, patch.wedge_bases)]

@@ -60,12 +60,12 @@ CGAL_SOURCE = "Testing/Report/MTReportCgal.cxx"
 JSON_FOLDERS = ("IO/Mesh", "Applications", "Testing")
 # What runs without VTK: these, and every header of the toolkit that they include.
 WITHOUT_VTK = {
-    "Module": ("vtkMTGraph", "vtkMTCut", "vtkMTView"),
+    "Module": ("vtkMTGraph", "vtkMTCut", "vtkMTMadeNormals", "vtkMTView"),
     "Rendering/Core": ("vtkMTTargetCut", "vtkMTArcViews", "vtkMTArcProjector", "vtkMTCutFollower"),
     "IO/MultiTriangulation": (
         "vtkMTFileBlocks", "vtkMTFileDag", "vtkMTFileDagReader", "vtkMTFileDagWalk",
         "vtkMTFileMetadata", "vtkMTFilePages", "vtkMTFilePatches", "vtkMTPatchCodec", "vtkMTPackedGeometry", "vtkMTRawGeometry",
-        "vtkMTTriangleDecoder", "vtkMTPositionCodec", "vtkMTIdCodec", "vtkMTColumnCodec", "vtkMTByteCodec", "vtkMTRiceCode",
+        "vtkMTTriangleDecoder", "vtkMTPositionCodec", "vtkMTIdCodec", "vtkMTColumnCodec", "vtkMTNormalCodec", "vtkMTByteCodec", "vtkMTRiceCode",
     ),
 }
 OPENGL_HEADER = re.compile(r"^(vtkOpenGL|vtk_glew|vtk_glad|vtkShader|GL/|vtkTextureObject)")
