@@ -16,6 +16,7 @@ set(mt_single_sources
   MTConstruction:Filters/Construction/vtkMTPointNormals.cxx
   MTConstruction:Filters/Construction/vtkMTSharedIds.cxx
   MTCore:Module/vtkMTPolyDataStream.cxx
+  MTIO:IO/MultiTriangulation/vtkMTNormalCodec.cxx
   MTIO:IO/MultiTriangulation/vtkMTPositionCodec.cxx
   MTIO:IO/MultiTriangulation/vtkMTTriangleEncoder.cxx
   MTIOCore:IO/Core/vtkMTTextFormat.cxx
