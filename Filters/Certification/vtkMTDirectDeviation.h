@@ -22,7 +22,8 @@
  * Only the largest sums are looked at: those above so many times the largest deviation that is known to be true, which
  * is found first, by the few triangles of the largest sums. A mesh one level farther below has twice the triangles; so
  * where it is more than NearLevels below, sums may be LoosenessFarBelow times as large and stay, but on coarse levels,
- * from CoarseLevel on, which have a few regions only.
+ * from CoarseLevel on, which have a few regions only. And a mesh farther below is asked only for the triangles that a
+ * trial by the mesh NearLevels below leaves, whose own deviations are small already.
  */
 #ifndef vtkMTDirectDeviation_h
 #define vtkMTDirectDeviation_h
