@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# ParaView for ./runtests (5.11 on Debian 12, 5.13 on 13), beside Debian's VTK: python3-paraview cannot be installed where python3-vtk9 is, and
-# paraview-dev's CMake files look for it beside themselves. So what they need is installed, and the three packages
-# themselves are only unpacked, into a folder of their own. To be sourced after environment.bash.
+# ParaView (5.11 on Debian 12, 5.13 on 13) for ./runtests, beside Debian's VTK: python3-paraview cannot be installed where
+# python3-vtk9 is, and paraview-dev's CMake files look for it beside themselves. So what they need is installed, and the three
+# packages themselves are only unpacked, into a folder of their own. To be sourced after environment.bash.
 
 # Where ParaView is unpacked: MT_PARAVIEW_PREFIX, or a folder in the build tree.
 paraview_prefix()
