@@ -9,6 +9,16 @@ paraview_prefix()
   echo "${MT_PARAVIEW_PREFIX:-${PWD}/build-paraview-prefix}"
 }
 
+# Debian 13's packaging renames Python's modules (NAME.cpython-313-x86_64-linux-gnu.so), and paraview-dev's CMake files stop
+# where NAME.so is not there.
+name_python_modules()
+{
+  local module
+  while IFS= read -r -d '' module; do
+    ln -s "${module##*/}" "${module%.cpython-*}.so"
+  done < <(find "$1/usr/lib/python3/dist-packages" -name '*.cpython-*.so' -print0)
+}
+
 # Installs and unpacks what is not there yet: a second call needs neither rights nor network.
 install_paraview()
 {
@@ -34,6 +44,7 @@ install_paraview()
     dpkg -x "${package}" "${prefix}" || fail "${package} could not be unpacked into ${prefix}"
   done
   rm -r "${packages}"
+  name_python_modules "${prefix}"
   touch "${prefix}/complete"
 }
 
