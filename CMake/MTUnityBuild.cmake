@@ -8,6 +8,7 @@ option(MT_UNITY_BUILD "Compile several sources of a module as one" OFF)
 set(mt_single_sources
   MTCertification:Filters/Certification/vtkMTBallGrid.cxx
   MTCertification:Filters/Certification/vtkMTDirectDeviation.cxx
+  MTCertification:Filters/Certification/vtkMTDirectImprover.cxx
   MTCertification:Filters/Certification/vtkMTFinerRecord.cxx
   MTCertification:Filters/Certification/vtkMTNormalDeviation.cxx
   MTConstruction:Filters/Construction/vtkMTFinerLevels.cxx

@@ -5,8 +5,6 @@
 
 namespace
 {
-constexpr std::uint32_t None = vtkMTHalfedgePairs::None;
-
 // A half-edge in the bucket of its lower point.
 struct Entry
 {
@@ -49,7 +47,7 @@ void PairFew(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end
   while (end - begin > 1)
   {
     const Entry first = *begin++;
-    std::uint32_t partner = None;
+    std::uint32_t partner = vtkMTHalfedgePairs::None;
     std::size_t others = 0;
     for (Entry* entry = begin; entry < end;)
     {

@@ -1,330 +1,137 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTDirectDeviation.h"
 
-#include "vtkMTPieceBound.h"
-#include "vtkMTRoundUp.h"
+#include "vtkMTDirectImprover.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <unordered_map>
 
 namespace
 {
-constexpr std::uint32_t None = vtkMTSurface::None;
 constexpr std::size_t Probes = 16; // triangles by which the largest true deviation is found
-// Balls to look at per triangle of both meshes: many times what surfaces need. Of meshes that are stretched a million
-// times every ball is near all others; sums stand then.
-constexpr std::size_t EffortPerTriangle = 64;
 using Ball = vtkMTBallGrid::Ball;
 using Deviations = vtkMTDirectDeviation::Deviations;
-using Range = vtkMTDirectDeviation::Range;
-using Vector = vtkMTSurface::Vector;
-
-double GetLarger(const vtkMTTriangleDeviation& deviation)
-{
-  return std::max(deviation.ToInput, deviation.FromInput);
-}
-
-Ball GetBall(const vtkMTSurface& surface, std::uint32_t t, double wider)
-{
-  return vtkMTDirectDeviation::GetBall(
-    surface.GetCorner(t, 0), surface.GetCorner(t, 1), surface.GetCorner(t, 2), wider);
-}
-
-std::vector<Ball> GetBalls(const vtkMTDirectDeviation::Mesh& mesh, double wider)
-{
-  std::vector<Ball> balls(mesh.Surface.GetNumberOfTriangles());
-  for (std::uint32_t t = 0; t < balls.size(); ++t)
-  {
-    balls[t] = GetBall(mesh.Surface, t, mesh.Known[t].FromInput + wider);
-  }
-  return balls;
-}
-
-// Whether a place is so near to a triangle.
-bool IsWithin(const vtkMTSurface& surface, std::uint32_t t, const Vector& x, double reach)
-{
-  const double reach2 = reach * reach;
-  const double limit = 2.0 * reach2 + std::numeric_limits<double>::min(); // farther need not be told exactly
-  return surface.GetDistance2(x, t, limit) <= reach2;
-}
-
-// Around a triangle, and so much wider.
-vtkMTBallGrid::Box GetBox(const vtkMTSurface& surface, std::uint32_t t, double wider)
-{
-  vtkMTBallGrid::Box box{ surface.GetCorner(t, 0), surface.GetCorner(t, 0), wider };
-  for (int c = 1; c < 3; ++c)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      box.Low[i] = std::min(box.Low[i], surface.GetCorner(t, c)[i]);
-      box.High[i] = std::max(box.High[i], surface.GetCorner(t, c)[i]);
-    }
-  }
-  return box;
-}
-
-// Triangles of a range of which more than limit is known, most first.
-std::vector<std::uint32_t> SortAbove(
-  const Deviations& deviations, const Range& range, float vtkMTTriangleDeviation::*direction, double limit)
-{
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t t = range.First; t < range.End; ++t)
-  {
-    if (deviations[t].*direction > limit)
-    {
-      order.push_back(t);
-    }
-  }
-  std::stable_sort(order.begin(), order.end(),
-    [&](std::uint32_t a, std::uint32_t b) { return deviations[a].*direction > deviations[b].*direction; });
-  return order;
-}
+using Improver = vtkMTDirectImprover;
 
 // What all but so many triangles have at most, and what the largest has.
 double FindLargest(const Deviations& deviations, std::size_t but)
 {
   std::vector<double> known(deviations.size());
-  std::transform(deviations.begin(), deviations.end(), known.begin(), GetLarger);
+  std::transform(deviations.begin(), deviations.end(), known.begin(), Improver::GetLarger);
   const auto place = known.begin() + static_cast<std::ptrdiff_t>(std::min(but, known.size() - 1));
   std::nth_element(known.begin(), place, known.end(), std::greater<>());
   return *place;
 }
 
-class Improver
+// A fragment beside finer meshes.
+class Passes
 {
 public:
-  using Mesh = vtkMTDirectDeviation::Mesh;
-
-  struct State
-  {
-    double Loose;               // times the true deviation is near enough
-    double TrueDeviation = 0.0; // what is known of it
-    double Kept = 0.0;          // what some triangles keep, so that less need not be improved
-    bool IsLast = true;         // no finer mesh follows
-  };
-
-  Improver(const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known)
+  Passes(const vtkMTDirectDeviation::Mesh& floor, const vtkMTSurface& fragment, const vtkMTPoint& origin,
+    const vtkMTDirectDeviation::Collect& collect, Deviations& known)
     : Floor(floor)
     , Fragment(fragment)
-    , Finer(finer)
+    , Origin(origin)
+    , Collect(collect)
     , Known(known)
-    , Sought(state)
-    , Slack(std::ldexp(std::max(fragment.GetExtent(), finer.Surface.GetExtent()), -40))
-    , Up(fragment, finer.Surface, this->Slack, this->UpResult)
-    , Down(finer.Surface, fragment, this->Slack, this->DownResult)
-    , FinerBalls(GetBalls(finer, this->Slack))
-    , Budget(
-        vtkMTDeviation::PiecesPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
-    , MostEffort(EffortPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
   {
-    this->UpResult.LowerBound = state.TrueDeviation;
-    // What is split anyway may as well have a bound that does not decide again.
-    this->Up.Share = state.IsLast ? 1.0 : state.Loose;
-    this->Up.IsTrial = !state.IsLast;
-    this->Down.Share = state.Loose;
-    this->Down.IsTrial = !state.IsLast;
-    for (std::size_t s = 0; s < finer.Known.size(); ++s)
-    {
-      this->Up.After[s] = finer.Known[s].ToInput;
-      this->Down.Before[s] = finer.Known[s].FromInput;
-    }
-    this->Up.Search = [this](const Vector& x, const vtkMTSurface::Hit& guess) { return this->FindNearest(x, guess); };
   }
 
-  const State& GetState() const { return this->Sought; }
-
-  // Of the triangles that have more than least.
-  void ImproveToInput(const Range& range, double least)
+  bool Run(const vtkMTDirectDeviation::Aim& aim, std::string& error)
   {
-    for (const std::uint32_t t :
-      SortAbove(this->Known, range, &vtkMTTriangleDeviation::ToInput, std::max(least, this->GetLimit())))
+    this->State.Loose = aim.Looseness;
+    if (!this->Probe(aim.LevelsBelow, error))
     {
-      float& known = this->Known[t].ToInput;
-      if (known <= this->GetLimit() || this->IsExhausted())
-      {
-        break;
-      }
-      this->FindCandidates(t);
-      if (!this->Candidates.empty())
-      {
-        this->Up.Bound(t, { None, None, None }, this->Budget);
-        known = std::min(known, vtkMTRoundUp::ToFloat(this->Up.GetBoundOfTriangle()[t]));
-      }
+      return false;
     }
-    this->Sought.TrueDeviation = this->UpResult.LowerBound;
-  }
-
-  void ImproveFromInput(const Range& range)
-  {
-    std::vector<unsigned char> isBound(this->Finer.Surface.GetNumberOfTriangles(), 0);
-    std::vector<std::uint32_t> handedOn;
-    std::vector<unsigned char> isHanded(isBound.size(), 0);
-    for (const std::uint32_t t : SortAbove(this->Known, range, &vtkMTTriangleDeviation::FromInput, this->GetLimit()))
-    {
-      const double known = this->Known[t].FromInput;
-      if (known <= std::max(this->GetLimit(), this->Sought.Kept) || this->IsExhausted())
-      {
-        break;
-      }
-      this->FindCandidates(t);
-      const double bound = this->BoundCandidates(t, isBound);
-      if (this->Sought.IsLast)
-      {
-        this->Sought.Kept = std::max(this->Sought.Kept, std::min(bound, known));
-      }
-      if (bound < known)
-      {
-        handedOn.push_back(t);
-        for (const std::uint32_t s : this->Candidates)
-        {
-          isHanded[s] = 1;
-        }
-      }
-    }
-    this->HandOn(handedOn, isHanded);
+    // Most sums need not be held against the finest mesh: a coarser one makes them small enough, at less effort.
+    constexpr std::size_t near = vtkMTDirectDeviation::NearLevels;
+    return (aim.LevelsBelow <= near || this->Improve(near, false, error)) &&
+      this->Improve(aim.LevelsBelow, true, error);
   }
 
 private:
-  bool IsExhausted() const { return this->Effort > this->MostEffort; }
-  double GetLimit() const { return std::max(this->Sought.Loose * this->UpResult.LowerBound, 2.0 * this->Slack); }
+  using Use = std::function<void(Improver&, const Improver::Range&)>;
 
-  // The finer triangles that are so near to t.
-  void FindCandidates(std::uint32_t t)
+  // Finds the largest true deviation by the triangles with the largest sums to the input.
+  bool Probe(std::size_t levelsBelow, std::string& error)
   {
-    const auto [place, isNew] = this->FoundBefore.try_emplace(t);
-    if (!isNew)
+    Deviations toInput = this->Known;
+    for (vtkMTTriangleDeviation& deviation : toInput)
     {
-      this->Candidates = place->second;
-      return;
+      deviation.FromInput = 0.0f;
     }
-    const double known = GetLarger(this->Known[t]);
-    this->Candidates.clear();
-    this->FinerBalls.HasTouching(GetBox(this->Fragment, t, known),
-      [&](std::uint32_t s)
+    this->Least = std::nextafter(FindLargest(toInput, Probes), 0.0); // several may have the same
+    const auto probe = [this](Improver& improver, const Improver::Range& range)
+    {
+      improver.ImproveToInput(range, this->Least);
+      this->State = improver.GetState();
+    };
+    return this->ForParts(levelsBelow, toInput, probe, error);
+  }
+
+  // Of the triangles that have more than what is near enough.
+  bool Improve(std::size_t levelsBelow, bool isLast, std::string& error)
+  {
+    this->Least = this->State.Loose * this->State.TrueDeviation;
+    if (!(this->Least > 0.0) || this->Least >= FindLargest(this->Known, 0))
+    {
+      return true;
+    }
+    this->State.IsLast = isLast;
+    const auto improve = [this](Improver& improver, const Improver::Range& range)
+    {
+      improver.ImproveToInput(range, 0.0);
+      improver.ImproveFromInput(range);
+      if (this->State.IsLast)
       {
-        ++this->Effort;
-        const Ball& ball = this->FinerBalls.GetBall(s);
-        if (IsWithin(this->Fragment, t, ball.Middle, known + ball.Radius))
-        {
-          this->Candidates.push_back(s);
-        }
+        this->State = improver.GetState();
+        this->Least = this->State.Loose * this->State.TrueDeviation;
+      }
+    };
+    return this->ForParts(levelsBelow, this->Known, improve, error);
+  }
+
+  // Does something with the triangles of which `known` is more than least, beside a finer mesh; part by part where what
+  // is near of that would be too large.
+  bool ForParts(std::size_t levelsBelow, const Deviations& known, const Use& use, std::string& error)
+  {
+    std::vector<Improver::Range> parts{ { 0, static_cast<std::uint32_t>(known.size()) } };
+    while (!parts.empty())
+    {
+      const Improver::Range range = parts.back();
+      parts.pop_back();
+      vtkMTDirectDeviation::FinerPart part;
+      part.Most = vtkMTDirectDeviation::MostPerTriangle * this->Floor.Surface.GetNumberOfTriangles();
+      if (!this->Collect({ { this->Fragment, known }, range, this->Least }, levelsBelow, part, error))
+      {
         return false;
-      });
-    place->second = this->Candidates;
-  }
-
-  // The nearest of the candidates, or the guess.
-  vtkMTSurface::Hit FindNearest(const Vector& x, const vtkMTSurface::Hit& guess) const
-  {
-    vtkMTSurface::Hit nearest = guess;
-    Ball here{ x, std::sqrt(nearest.Distance2) };
-    this->Effort += this->Candidates.size();
-    for (const std::uint32_t s : this->Candidates)
-    {
-      if (vtkMTBallGrid::Touch(here, this->FinerBalls.GetBall(s)) &&
-        this->Finer.Surface.GetDistance2(x, s, nearest.Distance2) < nearest.Distance2)
+      }
+      const bool isTooLarge = part.Mesh.Triangles.size() > part.Most;
+      if (isTooLarge && range.End - range.First > 1)
       {
-        nearest = this->Finer.Surface.Project(x, s);
-        here.Radius = std::sqrt(nearest.Distance2);
+        const std::uint32_t middle = range.First + (range.End - range.First) / 2;
+        parts.push_back({ middle, range.End });
+        parts.push_back({ range.First, middle });
+      }
+      else if (!isTooLarge && !part.Mesh.Triangles.empty())
+      {
+        const vtkMTSurface surface(part.Mesh, this->Origin);
+        Improver improver(this->Floor, this->Fragment, { surface, part.Known }, this->State, this->Known);
+        use(improver, range);
       }
     }
-    return nearest;
+    return true;
   }
 
-  // The largest of the candidates' bounds.
-  double BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound)
-  {
-    double bound = 0.0;
-    for (const std::uint32_t s : this->Candidates)
-    {
-      if (!isBound[s])
-      {
-        isBound[s] = 1;
-        this->BoundCandidate(s, t);
-      }
-      bound = std::max(bound, this->Down.GetBoundOfTriangle()[s]);
-    }
-    return bound;
-  }
-
-  void BoundCandidate(std::uint32_t s, std::uint32_t t)
-  {
-    const std::size_t credited = this->Down.GetCredited().size();
-    const Vector& middle = this->FinerBalls.GetBall(s).Middle;
-    vtkMTSurface::Hit below = this->Fragment.Project(middle, t);
-    this->Fragment.Descend(middle, below);
-    this->BoundAgain(s, below.Triangle);
-    if (this->Down.GetBoundOfTriangle()[s] > this->GetLimit() && !this->IsExhausted())
-    {
-      this->Down.Forget(s, credited);
-      const double reach = this->Finer.Known[s].FromInput + this->Slack;
-      this->Down.IsElsewhere = [this, reach](const Vector& x, double radius) {
-        return !this->IsNearFloor({ x, reach + radius });
-      };
-      this->BoundAgain(s, below.Triangle);
-      this->Down.IsElsewhere = nullptr;
-    }
-  }
-
-  // What s is truly away says nothing of the fragment, as long as s may be another region's.
-  void BoundAgain(std::uint32_t s, std::uint32_t guess)
-  {
-    this->DownResult.LowerBound = this->UpResult.LowerBound;
-    this->Down.Bound(s, { guess, None, None }, this->Budget);
-  }
-
-  // Whether a ball may hold a point of the input that stands on the floor.
-  bool IsNearFloor(const Ball& ball)
-  {
-    if (!this->FloorBalls)
-    {
-      this->FloorBalls.emplace(GetBalls(this->Floor, 0.0));
-    }
-    return this->FloorBalls->HasTouching(ball,
-      [&](std::uint32_t f)
-      {
-        ++this->Effort;
-        return IsWithin(this->Floor.Surface, f, ball.Middle, ball.Radius + this->Floor.Known[f].FromInput);
-      });
-  }
-
-  // From these triangles of the fragment, whose points are on those of the finer mesh.
-  void HandOn(const std::vector<std::uint32_t>& handedOn, const std::vector<unsigned char>& isHanded)
-  {
-    for (const std::uint32_t t : handedOn)
-    {
-      this->Known[t].FromInput = 0.0f;
-    }
-    for (const vtkMTPieceBound::Credited& piece : this->Down.GetCredited())
-    {
-      if (isHanded[piece.From])
-      {
-        float& known = this->Known[piece.To].FromInput;
-        known = std::max(known, vtkMTRoundUp::ToFloat(this->Down.Before[piece.From] + piece.Distance));
-      }
-    }
-  }
-
-  const Mesh Floor;
+  const vtkMTDirectDeviation::Mesh Floor;
   const vtkMTSurface& Fragment;
-  const Mesh Finer;
+  const vtkMTPoint& Origin;
+  const vtkMTDirectDeviation::Collect& Collect;
   Deviations& Known;
-  State Sought;
-  const double Slack;
-  vtkMTDeviation UpResult;
-  vtkMTDeviation DownResult;
-  vtkMTPieceBound Up;
-  vtkMTPieceBound Down;
-  const vtkMTBallGrid FinerBalls; // around each triangle and what stands on it
-  std::vector<std::uint32_t> Candidates;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> FoundBefore;
-  std::optional<vtkMTBallGrid> FloorBalls;
-  std::size_t Budget;
-  const std::size_t MostEffort;
-  mutable std::size_t Effort = 0; // balls that were looked at
+  Improver::State State{ 1.0 };
+  double Least = 0.0; // of what is known of triangles that are looked at
 };
 }
 
@@ -351,11 +158,11 @@ vtkMTDirectDeviation::Neighbourhood::Neighbourhood(const Mesh& fragment, const R
   std::vector<Ball> balls;
   for (std::uint32_t t = range.First; t < range.End; ++t)
   {
-    const double known = GetLarger(fragment.Known[t]);
+    const double known = vtkMTDirectImprover::GetLarger(fragment.Known[t]);
     if (known > least)
     {
       this->Triangles.push_back(t);
-      balls.push_back(::GetBall(fragment.Surface, t, known));
+      balls.push_back(vtkMTDirectImprover::GetBall(fragment.Surface, t, known));
     }
   }
   this->Balls.emplace(std::move(balls));
@@ -368,7 +175,8 @@ bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
     [&](std::uint32_t i)
     {
       const std::uint32_t t = this->Triangles[i];
-      return IsWithin(this->Fragment.Surface, t, ball.Middle, ball.Radius + GetLarger(this->Fragment.Known[t]));
+      return vtkMTDirectImprover::IsWithin(
+        this->Fragment.Surface, t, ball.Middle, ball.Radius + vtkMTDirectImprover::GetLarger(this->Fragment.Known[t]));
     });
 }
 
@@ -376,78 +184,5 @@ bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
 bool vtkMTDirectDeviation::Improve(const Mesh& floor, const vtkMTSurface& fragment, const vtkMTPoint& origin,
   const Aim& aim, const Collect& collect, Deviations& deviations, std::string& error)
 {
-  Improver::State state{ aim.Looseness };
-  // Does something with those of the fragment's triangles that have more than least, beside a finer mesh; part by part
-  // where what is near of that would be too large.
-  const auto forParts =
-    [&](std::size_t levelsBelow, double& least, const std::function<void(Improver&, const Range&)>& run)
-  {
-    std::vector<Range> parts{ { 0, static_cast<std::uint32_t>(deviations.size()) } };
-    while (!parts.empty())
-    {
-      const Range range = parts.back();
-      parts.pop_back();
-      FinerPart part;
-      part.Most = MostPerTriangle * floor.Surface.GetNumberOfTriangles();
-      if (!collect({ { fragment, deviations }, range, least }, levelsBelow, part, error))
-      {
-        return false;
-      }
-      const bool isTooLarge = part.Mesh.Triangles.size() > part.Most;
-      if (isTooLarge && range.End - range.First > 1)
-      {
-        const std::uint32_t middle = range.First + (range.End - range.First) / 2;
-        parts.push_back({ middle, range.End });
-        parts.push_back({ range.First, middle });
-      }
-      else if (!isTooLarge && !part.Mesh.Triangles.empty())
-      {
-        const vtkMTSurface surface(part.Mesh, origin);
-        Improver improver(floor, fragment, { surface, part.Known }, state, deviations);
-        run(improver, range);
-      }
-    }
-    return true;
-  };
-  const double largest = std::nextafter(FindLargest(deviations, Probes), 0.0); // several may have the same
-  double least = largest;
-  const auto probe = [&](Improver& improver, const Range& range)
-  {
-    improver.ImproveToInput(range, largest);
-    state = improver.GetState();
-  };
-  if (!forParts(aim.LevelsBelow, least, probe))
-  {
-    return false;
-  }
-  // Most sums need not be held against the finest mesh: a coarser one makes them small enough, at less effort.
-  std::vector<std::size_t> passes{ aim.LevelsBelow };
-  if (aim.LevelsBelow > NearLevels)
-  {
-    passes.insert(passes.begin(), NearLevels);
-  }
-  for (const std::size_t levelsBelow : passes)
-  {
-    least = state.Loose * state.TrueDeviation;
-    if (!(least > 0.0) || least >= FindLargest(deviations, 0))
-    {
-      break;
-    }
-    state.IsLast = levelsBelow == aim.LevelsBelow;
-    const auto improve = [&](Improver& improver, const Range& range)
-    {
-      improver.ImproveToInput(range, 0.0);
-      improver.ImproveFromInput(range);
-      if (state.IsLast)
-      {
-        state = improver.GetState();
-        least = state.Loose * state.TrueDeviation;
-      }
-    };
-    if (!forParts(levelsBelow, least, improve))
-    {
-      return false;
-    }
-  }
-  return true;
+  return Passes(floor, fragment, origin, collect, deviations).Run(aim, error);
 }

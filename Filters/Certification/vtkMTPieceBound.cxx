@@ -411,10 +411,14 @@ bool vtkMTPieceBound::SplitOffWithinReach(const Entry& entry, int corner, std::u
   const int end = wrap(chord.First + chord.Count - 1);
   chord.Before = findLast(chord.First, wrap(chord.First - 1));
   chord.After = findLast(end, wrap(end + 1));
-  const Vector way = Subtract(Lerp(chord.Before, chord.After, 0.5), piece.Corners[corner]);
+  // Along a side of the piece there may be nothing more within reach: then what is left is the piece once more.
+  const auto [less, more] = std::minmax(
+    { Norm(Subtract(chord.Before, piece.Corners[chord.First])), Norm(Subtract(chord.After, piece.Corners[end])) });
+  const double toMiddle = Norm(Subtract(Lerp(chord.Before, chord.After, 0.5), piece.Corners[corner]));
+  const double way = chord.Count > 1 ? more : less > 0.0 ? toMiddle : 0.0;
   Piece part;
   Piece rest;
-  if (Dot(way, way) < LeastPart * LeastPart * piece.GetDiagonal().Length2 || !piece.SplitOff(chord, part, rest))
+  if (way * way < LeastPart * LeastPart * piece.GetDiagonal().Length2 || !piece.SplitOff(chord, part, rest))
   {
     return false;
   }

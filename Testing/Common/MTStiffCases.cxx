@@ -97,7 +97,7 @@ void AddFlat(std::vector<Case>& cases)
     [](int n) {
       return TurnAndMove(SlopingPlane(n), 1.1, { 100.0, -70.0, 30.0 });
     },
-    1250, 20000, Limits().WithLooseness(200) });
+    1250, 20000, {} });
   cases.push_back({ "TurnedPlane", "a plane turned, flat up to rounding", MakeTurned(Plane), 1250, 20000, {} });
   cases.push_back({ "Cylinder", "a cylinder", Cylinder, 1280, 20000, {} });
   cases.push_back({ "TurnedCylinder", "a cylinder turned", MakeTurned(Cylinder), 1280, 20000, {} });

@@ -22,8 +22,8 @@ TEST(RecordSpool, GivesBackWhatWasPutUnderAKeyInOrder)
   std::vector<std::vector<Bytes>> expected(50);
   for (std::size_t i = 0; i < 2000; ++i)
   {
-    const std::size_t key = random() % 49; // the last one stays empty
-    Bytes record(random() % 5000);
+    const std::size_t key = random() % 49;                                  // the last one stays empty
+    Bytes record(i % 100 == 7 ? 70000 + random() % 5000 : random() % 5000); // some are not buffered
     for (unsigned char& byte : record)
     {
       byte = static_cast<unsigned char>(random());
@@ -45,6 +45,14 @@ TEST(RecordSpool, GivesBackWhatWasPutUnderAKeyInOrder)
       std::vector<Bytes> records;
       ASSERT_TRUE(tested->Take(key, records, error));
       EXPECT_EQ(records, expected[key]);
+      for (std::size_t place = 0; place < records.size(); ++place)
+      {
+        Bytes record;
+        ASSERT_TRUE(tested->Take(key, place, record, error));
+        EXPECT_EQ(record, expected[key][place]);
+      }
+      Bytes none;
+      EXPECT_FALSE(tested->Take(key, records.size(), none, error));
     }
   }
   state.pop_back();

@@ -184,7 +184,9 @@ const Sentence& GetSentence(const std::string& claim)
     { "worst place over certified", "No place that is found is farther than what is certified for its patch or cut",
       "" },
     { "certified over worst place", "Certified errors are at most 5 times the worst place",
-      "Sums of steps that no direct bound replaces, where triangles are long beside what they deviate by." },
+      "Needles that vanish in one region: its own patch is truly as far from them as they are long (worst place, own "
+      "patch, "
+      "over certified: 0.97), but needles of the regions beside lie there, so that the cut as a whole is near." },
     { "triangles of the coarsest cut, in targets", "The coarsest cut has at most 4 times the triangles of a region",
       "Where hardly an edge can be collapsed (strips without inner points, edges with many triangles, corners of "
       "cubes) "
