@@ -15,7 +15,7 @@ name_python_modules()
 {
   local module
   while IFS= read -r -d '' module; do
-    ln -s "${module##*/}" "${module%.cpython-*}.so"
+    [[ -e "${module%.cpython-*}.so" ]] || ln -s "${module##*/}" "${module%.cpython-*}.so"
   done < <(find "$1/usr/lib/python3/dist-packages" -name '*.cpython-*.so' -print0)
 }
 
