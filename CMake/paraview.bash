@@ -1,12 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# ParaView 5.11 for ./runtests, beside Debian's VTK: python3-paraview cannot be installed where python3-vtk9 is, and
-# paraview-dev's CMake files look for it beside themselves. So what they need is installed, and the three packages
-# themselves are only unpacked, into a folder of their own. To be sourced after environment.bash.
+# ParaView (5.11 on Debian 12, 5.13 on 13) for ./runtests, beside Debian's VTK: python3-paraview cannot be installed where
+# python3-vtk9 is, and paraview-dev's CMake files look for it beside themselves. So what they need is installed, and the three
+# packages themselves are only unpacked, into a folder of their own. To be sourced after environment.bash.
 
 # Where ParaView is unpacked: MT_PARAVIEW_PREFIX, or a folder in the build tree.
 paraview_prefix()
 {
   echo "${MT_PARAVIEW_PREFIX:-${PWD}/build-paraview-prefix}"
+}
+
+# Debian 13's packaging renames Python's modules (NAME.cpython-313-x86_64-linux-gnu.so), and paraview-dev's CMake files stop
+# where NAME.so is not there.
+name_python_modules()
+{
+  local module
+  while IFS= read -r -d '' module; do
+    [[ -e "${module%.cpython-*}.so" ]] || ln -s "${module##*/}" "${module%.cpython-*}.so"
+  done < <(find "$1/usr/lib/python3/dist-packages" -name '*.cpython-*.so' -print0)
 }
 
 # Installs and unpacks what is not there yet: a second call needs neither rights nor network.
@@ -34,6 +44,7 @@ install_paraview()
     dpkg -x "${package}" "${prefix}" || fail "${package} could not be unpacked into ${prefix}"
   done
   rm -r "${packages}"
+  name_python_modules "${prefix}"
   touch "${prefix}/complete"
 }
 

@@ -12,7 +12,7 @@ host_mirror()
 
 leave_system()
 {
-  umount "${root}/proc" 2> /dev/null || true
+  umount "${root}/proc" "${root}/sys" 2> /dev/null || true
   if [[ -z "${MT_CLEAN_SYSTEM:-}" ]]; then
     rm -rf --one-file-system "${root}"
   fi
@@ -33,6 +33,7 @@ make_system()
     echo force-unsafe-io > "${root}/etc/dpkg/dpkg.cfg.d/unsafe-io" # a thousand packages in a system that may be made again
   fi
   mountpoint -q "${root}/proc" || mount -t proc proc "${root}/proc"
+  mountpoint -q "${root}/sys" || mount -t sysfs -o ro sysfs "${root}/sys" # MPI looks for processors there
   echo "a clean ${suite} after $((SECONDS - start)) s"
 }
 

@@ -85,9 +85,14 @@ def save(view, name):
 
 
 def check_baseline(view, name, slight=3):
-    """The view's picture must be the one in the repository, but for the last bits of a channel."""
+    """The view's picture must be the one in the repository, but for the last bits of a channel: that of this version of
+    ParaView, where it draws something in its own way."""
     path = save(view, name)
-    baseline = os.path.join(os.environ["MT_BASELINE"], "ParaView", name + ".png")
+    version = simple.GetParaViewVersion()
+    folder = os.path.join(os.environ["MT_BASELINE"], "ParaView")
+    baseline = os.path.join(folder, f"{name}-{version.major}.{version.minor}.png")
+    if not os.path.exists(baseline):
+        baseline = os.path.join(folder, name + ".png")
     if not os.path.exists(baseline):
         check(f"{name} has a baseline", False, path)
         return

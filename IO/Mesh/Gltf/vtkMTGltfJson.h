@@ -6,7 +6,7 @@
 #ifndef vtkMTGltfJson_h
 #define vtkMTGltfJson_h
 
-#include <nlohmann/json.hpp>
+#include "vtkMTJson.h"
 
 #include <cstdint>
 #include <stdexcept>

@@ -8,9 +8,8 @@
 #ifndef vtkMTGltfWriter_h
 #define vtkMTGltfWriter_h
 
+#include "vtkMTJson.h"
 #include "vtkMTTriangleStream.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string>

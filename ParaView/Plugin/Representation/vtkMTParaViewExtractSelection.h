@@ -16,6 +16,7 @@
 
 #include "vtkMTParaViewModule.h" // For export macro
 #include "vtkPVExtractSelection.h"
+#include "vtkVersion.h"
 
 class VTKMTPARAVIEW_EXPORT vtkMTParaViewExtractSelection : public vtkPVExtractSelection
 {
@@ -23,6 +24,11 @@ public:
   static vtkMTParaViewExtractSelection* New();
   vtkTypeMacro(vtkMTParaViewExtractSelection, vtkPVExtractSelection);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 20240617)
+  /// ParaView 5.13 sets this wherever it extracts; before it there is no such choice, and this does nothing.
+  void SetHyperTreeGridToUnstructuredGrid(bool) {}
+#endif
 
 protected:
   vtkMTParaViewExtractSelection();
