@@ -27,7 +27,9 @@ public:
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 3, 20240617)
   /// ParaView 5.13 sets this wherever it extracts; before it there is no such choice, and this does nothing.
-  void SetHyperTreeGridToUnstructuredGrid(bool) {}
+  void SetHyperTreeGridToUnstructuredGrid(bool)
+  {
+  }
 #endif
 
 protected:
