@@ -36,6 +36,7 @@
 
 struct VTKMTIOIMAGE_EXPORT vtkMTGdalLibrary
 {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name takes none
 #define MT_GDAL_DECLARE(function) decltype(&::function) function = nullptr;
   MT_GDAL_FUNCTIONS(MT_GDAL_DECLARE)
 #undef MT_GDAL_DECLARE
