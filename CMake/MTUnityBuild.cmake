@@ -32,7 +32,18 @@ set(mt_single_sources
   MTIOMesh:IO/Mesh/vtkMTPlyReader.cxx
   MTIOMesh:IO/Mesh/vtkMTPlyStream.cxx
   MTIOMesh:IO/Mesh/vtkMTStlStream.cxx
-  MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx)
+  MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx
+  MTVerification:Filters/Verification/Readers/vtkMTVerifyGltfInput.cxx
+  MTVerification:Filters/Verification/Readers/vtkMTVerifyObjInput.cxx
+  MTVerification:Filters/Verification/Readers/vtkMTVerifyStlInput.cxx
+  MTVerification:Filters/Verification/Readers/vtkMTVerifyVtkInput.cxx
+  MTVerification:Filters/Verification/Sampling/vtkMTValueSampling.cxx
+  MTVerification:Filters/Verification/Search/vtkMTLatticeKeys.cxx
+  MTVerification:Filters/Verification/vtkMTInputArrays.cxx
+  MTVerification:Filters/Verification/vtkMTVerifyTerrainDem.cxx
+  MTVerification:Filters/Verification/vtkMTVerifyTerrainGrid.cxx
+  MTVerification:Filters/Verification/vtkMTVerifyTerrainTiff.cxx
+  MTVerification:Filters/Verification/vtkMTVerifyVolumeMetaImage.cxx)
 
 # mt_unity_build(<modules>): where MT_UNITY_BUILD is on; their targets are there by now.
 function (mt_unity_build)
@@ -41,9 +52,6 @@ function (mt_unity_build)
   endif ()
   foreach (module IN LISTS ARGN)
     string(REPLACE "MultiTriangulation::" "" target "${module}")
-    if (target STREQUAL "MTVerification") # too many of its names meet
-      continue ()
-    endif ()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     # GCC takes the sources of such a build for headers.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

@@ -12,16 +12,18 @@ vtkMTBox vtkMTPatch::GetBox() const
   constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
   vtkMTPoint low{ highest, highest, highest };
   vtkMTPoint high{ lowest, lowest, lowest };
-  for (const vtkMTTriangle& triangle : this->Triangles)
+  std::vector<unsigned char> isUsed(this->Points.size(), 0); // each is looked at once, not by all its triangles
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    for (std::uint32_t wedge : triangle)
+    const vtkMTTriangle points = this->GetPointsOfTriangle(t);
+    isUsed[points[0]] = isUsed[points[1]] = isUsed[points[2]] = 1;
+  }
+  for (std::size_t p = 0; p < isUsed.size(); ++p)
+  {
+    for (std::size_t i = 0; i < 3 && isUsed[p] != 0; ++i)
     {
-      const vtkMTPoint& p = this->Points[this->GetPointOfWedge(wedge)];
-      for (int i = 0; i < 3; ++i)
-      {
-        low[i] = std::min(low[i], p[i]);
-        high[i] = std::max(high[i], p[i]);
-      }
+      low[i] = std::min(low[i], this->Points[p][i]);
+      high[i] = std::max(high[i], this->Points[p][i]);
     }
   }
   return this->Triangles.empty() ? vtkMTBox{ 0, -1, 0, -1, 0, -1 }

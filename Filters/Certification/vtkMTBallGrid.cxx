@@ -72,7 +72,7 @@ void vtkMTBallGrid::PutIntoCells(const std::vector<std::uint32_t>& ordinary)
   const auto getCells = [&](int axis, double width)
   { return std::floor((high[axis] - this->Low[axis]) / width) + 1.0; };
   const double longest = std::max({ high[0] - this->Low[0], high[1] - this->Low[1], high[2] - this->Low[2] });
-  double width = std::max({ 2.0 * this->Reach, longest / 1024.0, 1.0 });
+  double width = std::max({ this->Reach, longest / 1024.0, 1.0 });
   while (getCells(0, width) * getCells(1, width) * getCells(2, width) >
     std::max(64.0, MostCells * static_cast<double>(ordinary.size())))
   {

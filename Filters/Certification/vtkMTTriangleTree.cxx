@@ -156,9 +156,8 @@ void vtkMTTriangleTree::Look(Query& query, std::uint32_t triangle) const
   }
 }
 
-vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* direction, std::uint32_t guess)
+vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(Query query, std::uint32_t guess)
 {
-  Query query{ x, direction, None, std::numeric_limits<double>::infinity() };
   if (guess != None)
   {
     this->Look(query, guess);
@@ -180,7 +179,7 @@ vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(const Vector& x, const Vector* di
     }
     this->Traverse(query);
   }
-  return query.Best == None ? Hit() : this->Surface.Project(x, query.Best);
+  return query.Best == None ? Hit() : this->Surface.Project(query.Place, query.Best);
 }
 
 void vtkMTTriangleTree::Traverse(Query& query)

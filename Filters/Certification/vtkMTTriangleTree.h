@@ -47,13 +47,16 @@ public:
   }
 
   /// The triangle nearest to x; guess is a triangle to begin with, or None.
-  Hit FindNearest(const Vector& x, std::uint32_t guess = None) { return this->Find(x, nullptr, guess); }
+  Hit FindNearest(const Vector& x, std::uint32_t guess = None) { return this->Find({ x, nullptr }, guess); }
+
+  /// The nearest triangle whose squared distance is below a limit; None when there is none.
+  Hit FindWithin(const Vector& x, double limit2) { return this->Find({ x, nullptr, None, limit2 }, None); }
 
   /// The nearest triangle among those whose normal has a positive dot product with the direction; None when there is
   /// none.
   Hit FindNearestFacing(const Vector& x, const Vector& direction, std::uint32_t guess = None)
   {
-    return this->Find(x, &direction, guess);
+    return this->Find({ x, &direction }, guess);
   }
 
   /// Nodes and triangles that were looked at by way of the tree.
@@ -72,11 +75,11 @@ private:
   {
     const Vector& Place;
     const Vector* Direction;
-    std::uint32_t Best;
-    double Best2;
+    std::uint32_t Best = None;
+    double Best2 = std::numeric_limits<double>::infinity();
   };
 
-  Hit Find(const Vector& x, const Vector* direction, std::uint32_t guess);
+  Hit Find(Query query, std::uint32_t guess);
   bool IsFacing(const Query& query, std::uint32_t triangle) const;
   void Look(Query& query, std::uint32_t triangle) const;
   void LookAtRuns(Query& query) const;

@@ -15,8 +15,6 @@ using namespace vtkMTVector;
 
 namespace
 {
-constexpr double NoAngle = -1.0;
-
 Vector GetSide(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
 {
   Vector side;
@@ -25,6 +23,11 @@ Vector GetSide(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
     side[i] = static_cast<double>(mesh.Points[to][i]) - static_cast<double>(mesh.Points[from][i]);
   }
   return side;
+}
+
+double GetCosine(double degrees)
+{
+  return std::cos(vtkMath::RadiansFromDegrees(degrees));
 }
 
 double Share(std::uint64_t part, std::uint64_t whole)
@@ -38,65 +41,73 @@ double GetProduct(const vtkMTDihedralAngles::Sum& sum)
 }
 }
 
-// [half-edges], NoAngle where there is none; both sides of an edge have its angle.
-std::vector<double> vtkMTDihedralAngles::GetAngles(const vtkMTPatch& mesh, std::vector<std::uint32_t>& opposites)
+// By the cosine, which falls with the angle.
+vtkMTDihedralAngles::EdgeKind vtkMTDihedralAngles::GetKind(const Normal& a, const Normal& b)
 {
-  std::vector<std::uint32_t> corners;
-  std::vector<Vector> normals;
-  corners.reserve(3 * mesh.Triangles.size());
+  static const double flat = GetCosine(LargestFlat);
+  static const double hard = GetCosine(LeastHard);
+  static const double sharp = GetCosine(LeastSharp);
+  const double product = a.Length * b.Length;
+  if (!(product > 0.0))
+  {
+    return None;
+  }
+  const double dot = Dot(a.Direction, b.Direction);
+  return dot > flat * product ? Flat : dot > hard * product ? Soft : dot > sharp * product ? Hard : Sharp;
+}
+
+// Kinds: [half-edges], None where there is no angle; both sides of an edge have its kind.
+vtkMTDihedralAngles::Edges vtkMTDihedralAngles::FindEdges(const vtkMTPatch& mesh)
+{
+  Edges edges;
+  edges.Corners.reserve(3 * mesh.Triangles.size());
+  std::vector<Normal> normals;
   normals.reserve(mesh.Triangles.size());
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
     const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    corners.insert(corners.end(), p.begin(), p.end());
-    normals.push_back(Cross(GetSide(mesh, p[0], p[1]), GetSide(mesh, p[0], p[2])));
+    edges.Corners.insert(edges.Corners.end(), p.begin(), p.end());
+    const Vector normal = Cross(GetSide(mesh, p[0], p[1]), GetSide(mesh, p[0], p[2]));
+    normals.push_back({ normal, Norm(normal) });
   }
-  opposites = vtkMTHalfedgePairs::Find(corners);
-  std::vector<double> angles(corners.size(), NoAngle);
-  for (std::uint32_t h = 0; h < opposites.size(); ++h)
+  edges.Opposites = vtkMTHalfedgePairs::Find(edges.Corners);
+  edges.Kinds.assign(edges.Corners.size(), None);
+  for (std::uint32_t h = 0; h < edges.Opposites.size(); ++h)
   {
-    if (opposites[h] == vtkMTHalfedgePairs::None || opposites[h] < h)
+    const std::uint32_t opposite = edges.Opposites[h];
+    if (opposite != vtkMTHalfedgePairs::None && opposite > h)
     {
-      continue;
-    }
-    const Vector& a = normals[h / 3];
-    const Vector& b = normals[opposites[h] / 3];
-    if (Norm(a) > 0.0 && Norm(b) > 0.0)
-    {
-      angles[h] = vtkMath::DegreesFromRadians(std::atan2(Norm(Cross(a, b)), Dot(a, b)));
-      angles[opposites[h]] = angles[h];
+      edges.Kinds[h] = edges.Kinds[opposite] = GetKind(normals[h / 3], normals[opposite / 3]);
     }
   }
-  return angles;
+  return edges;
 }
 
-void vtkMTDihedralAngles::AddEdge(double angle, bool isBetweenFlat, std::uint64_t weight, Sum& sum)
+void vtkMTDihedralAngles::AddEdge(EdgeKind kind, bool isBetweenFlat, std::uint64_t weight, Sum& sum)
 {
   sum.Edges += weight;
-  sum.Flat += angle < LargestFlat ? weight : 0;
-  sum.Hard += angle >= LeastHard ? weight : 0;
-  sum.Sharp += angle >= LeastSharp ? weight : 0;
-  sum.Creases += angle >= LeastHard && isBetweenFlat ? weight : 0;
+  sum.Flat += kind == Flat ? weight : 0;
+  sum.Hard += kind >= Hard ? weight : 0;
+  sum.Sharp += kind == Sharp ? weight : 0;
+  sum.Creases += kind >= Hard && isBetweenFlat ? weight : 0;
 }
 
 void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh)
 {
-  std::vector<std::uint32_t> opposites;
-  const std::vector<double> angles = GetAngles(mesh, opposites);
-  const auto isFlat = [&angles](std::uint32_t h) { return angles[h] != NoAngle && angles[h] < LargestFlat; };
-  const auto isBesideFlat = [&](std::uint32_t h)
-  { return isFlat(vtkMTHalfedgePairs::Next(h)) || isFlat(vtkMTHalfedgePairs::Previous(h)); };
-  for (std::uint32_t h = 0; h < angles.size(); ++h)
+  const Edges edges = FindEdges(mesh);
+  const auto isBesideFlat = [&edges](std::uint32_t h)
+  { return edges.Kinds[vtkMTHalfedgePairs::Next(h)] == Flat || edges.Kinds[vtkMTHalfedgePairs::Previous(h)] == Flat; };
+  for (std::uint32_t h = 0; h < edges.Kinds.size(); ++h)
   {
-    if (angles[h] == NoAngle || opposites[h] < h)
+    const EdgeKind kind = edges.Kinds[h];
+    if (kind == None || edges.Opposites[h] < h)
     {
       continue;
     }
-    const bool isBetweenFlat = isBesideFlat(h) && isBesideFlat(opposites[h]);
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(h / 3);
-    const double length = Norm(GetSide(mesh, p[h % 3], p[(h + 1) % 3]));
-    AddEdge(angles[h], isBetweenFlat, 1, this->Numbers);
-    AddEdge(angles[h], isBetweenFlat, static_cast<std::uint64_t>(std::llround(length)), this->Lengths);
+    const bool isBetweenFlat = kind >= Hard && isBesideFlat(h) && isBesideFlat(edges.Opposites[h]);
+    const double length = Norm(GetSide(mesh, edges.Corners[h], edges.Corners[vtkMTHalfedgePairs::Next(h)]));
+    AddEdge(kind, isBetweenFlat, 1, this->Numbers);
+    AddEdge(kind, isBetweenFlat, static_cast<std::uint64_t>(std::llround(length)), this->Lengths);
   }
 }
 

@@ -23,6 +23,7 @@
 #include "vtkMTFiltersCoreModule.h" // For export macro
 #include "vtkMTPatch.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -63,8 +64,30 @@ public:
   std::string Describe() const;
 
 private:
-  static std::vector<double> GetAngles(const vtkMTPatch& mesh, std::vector<std::uint32_t>& opposites);
-  static void AddEdge(double angle, bool isBetweenFlat, std::uint64_t weight, Sum& sum);
+  // By the angle, from small to large.
+  enum EdgeKind : unsigned char
+  {
+    None,
+    Flat,
+    Soft,
+    Hard,
+    Sharp
+  };
+  struct Normal
+  {
+    std::array<double, 3> Direction;
+    double Length;
+  };
+  struct Edges
+  {
+    std::vector<std::uint32_t> Corners;
+    std::vector<std::uint32_t> Opposites;
+    std::vector<EdgeKind> Kinds;
+  };
+
+  static EdgeKind GetKind(const Normal& a, const Normal& b);
+  static Edges FindEdges(const vtkMTPatch& mesh);
+  static void AddEdge(EdgeKind kind, bool isBetweenFlat, std::uint64_t weight, Sum& sum);
 
   Sum Numbers;
   Sum Lengths;

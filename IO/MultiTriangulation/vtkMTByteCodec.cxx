@@ -25,9 +25,14 @@ constexpr int Lz4Level = 4;
 std::size_t CompressLz4(const unsigned char* data, std::size_t size, unsigned char* out, std::size_t capacity)
 {
   thread_local const std::unique_ptr<LZ4_streamHC_t, FreeContext> state(LZ4_createStreamHC());
-  return state ? static_cast<std::size_t>(LZ4_compress_HC_extStateHC(state.get(), reinterpret_cast<const char*>(data),
-                   reinterpret_cast<char*>(out), static_cast<int>(size), static_cast<int>(capacity), Lz4Level))
-               : 0;
+  if (!state)
+  {
+    return 0;
+  }
+  // Without clearing the state's tables, 256 KiB: what they hold of data before is out of reach.
+  LZ4_resetStreamHC_fast(state.get(), Lz4Level);
+  return static_cast<std::size_t>(LZ4_compress_HC_continue(state.get(), reinterpret_cast<const char*>(data),
+    reinterpret_cast<char*>(out), static_cast<int>(size), static_cast<int>(capacity)));
 }
 
 std::size_t CompressZstd(const unsigned char* data, std::size_t size, unsigned char* out, std::size_t capacity)
