@@ -91,6 +91,41 @@ private:
   std::size_t Size = 0;
 };
 
+/// Bytes that stay where they are, with their owner, or that it owns itself.
+class Record
+{
+public:
+  Record() = default;
+  Record(const std::vector<unsigned char>& bytes) // NOLINT(google-explicit-constructor): as good as the vector
+    : Record(bytes.data(), bytes.size())
+  {
+  }
+  Record(const unsigned char* bytes, std::size_t size)
+    : Bytes(bytes)
+    , Size(size)
+  {
+  }
+  Record(Record&&) = default;
+  Record& operator=(Record&&) = default;
+
+  /// Room for its own bytes, for others to write to.
+  unsigned char* Allocate(std::size_t size)
+  {
+    this->Own.resize(size);
+    this->Bytes = this->Own.data();
+    this->Size = size;
+    return this->Own.data();
+  }
+
+  const unsigned char* data() const { return this->Bytes; }
+  std::size_t size() const { return this->Size; }
+
+private:
+  std::vector<unsigned char> Own;
+  const unsigned char* Bytes = nullptr;
+  std::size_t Size = 0;
+};
+
 class Reader
 {
 public:
@@ -99,8 +134,8 @@ public:
     , Left(size)
   {
   }
-  explicit Reader(const std::vector<unsigned char>& bytes)
-    : Reader(bytes.data(), bytes.size())
+  explicit Reader(const Record& record)
+    : Reader(record.data(), record.size())
   {
   }
 

@@ -64,6 +64,13 @@ struct Storage
     }
   }
 
+  const unsigned char* Find(std::uint64_t offset, std::size_t size) const
+  {
+    const std::size_t begin = offset % PieceSize;
+    const bool isInOne = size <= PieceSize - begin && offset <= this->Size && size <= this->Size - offset;
+    return isInOne && size > 0 ? this->Pieces[offset / PieceSize].get() + begin : nullptr;
+  }
+
   std::vector<std::unique_ptr<unsigned char[]>> Pieces;
   std::uint64_t Size = 0;
   std::shared_ptr<Account> Holder;
@@ -100,6 +107,11 @@ public:
     }
     this->Bytes->Read(offset, size, static_cast<unsigned char*>(data));
     return true;
+  }
+
+  const unsigned char* Find(std::uint64_t offset, std::size_t size) const override
+  {
+    return this->Bytes->Find(offset, size);
   }
 
   std::uint64_t GetSize() const override { return this->Bytes->Size; }

@@ -81,7 +81,17 @@ void vtkMTRecordSpool::SortEntries()
   }
 }
 
-bool vtkMTRecordSpool::Take(std::size_t key, std::vector<std::vector<unsigned char>>& records, std::string& error) const
+bool vtkMTRecordSpool::Take(const Entry& entry, vtkMTBytes::Record& record, std::string& error) const
+{
+  if (const unsigned char* bytes = this->Spool->Find(entry.Offset, entry.Size))
+  {
+    record = { bytes, entry.Size };
+    return true;
+  }
+  return this->Spool->Read(entry.Offset, entry.Size, record.Allocate(entry.Size), error);
+}
+
+bool vtkMTRecordSpool::Take(std::size_t key, std::vector<vtkMTBytes::Record>& records, std::string& error) const
 {
   records.clear();
   if (key >= this->GetNumberOfKeys())
@@ -91,8 +101,8 @@ bool vtkMTRecordSpool::Take(std::size_t key, std::vector<std::vector<unsigned ch
   }
   for (std::uint32_t i = this->First[key]; i < this->First[key + 1]; ++i)
   {
-    records.emplace_back(this->Entries[i].Size);
-    if (!this->Spool->Read(this->Entries[i].Offset, this->Entries[i].Size, records.back().data(), error))
+    records.emplace_back();
+    if (!this->Take(this->Entries[i], records.back(), error))
     {
       return false;
     }
@@ -100,8 +110,7 @@ bool vtkMTRecordSpool::Take(std::size_t key, std::vector<std::vector<unsigned ch
   return true;
 }
 
-bool vtkMTRecordSpool::Take(
-  std::size_t key, std::size_t place, std::vector<unsigned char>& record, std::string& error) const
+bool vtkMTRecordSpool::Take(std::size_t key, std::size_t place, vtkMTBytes::Record& record, std::string& error) const
 {
   if (key >= this->GetNumberOfKeys() || place >= this->First[key + 1] - this->First[key])
   {
@@ -109,9 +118,7 @@ bool vtkMTRecordSpool::Take(
       std::to_string(this->GetNumberOfKeys());
     return false;
   }
-  const Entry& entry = this->Entries[this->First[key] + place];
-  record.resize(entry.Size);
-  return this->Spool->Read(entry.Offset, entry.Size, record.data(), error);
+  return this->Take(this->Entries[this->First[key] + place], record, error);
 }
 
 std::uint64_t vtkMTRecordSpool::GetSize(std::size_t key) const

@@ -13,6 +13,7 @@
 #ifndef vtkMTRecordSpool_h
 #define vtkMTRecordSpool_h
 
+#include "vtkMTBytes.h"
 #include "vtkMTCoreModule.h" // For export macro
 #include "vtkMTSpoolStore.h"
 
@@ -33,10 +34,10 @@ public:
   bool Put(std::size_t key, const void* data, std::size_t size, std::string& error);
   /// Writes what is buffered; from here on records are taken.
   bool Seal(std::string& error);
-  /// The key's records in the order in which they were put.
-  bool Take(std::size_t key, std::vector<std::vector<unsigned char>>& records, std::string& error) const;
+  /// The key's records in the order in which they were put, until Begin or Remove.
+  bool Take(std::size_t key, std::vector<vtkMTBytes::Record>& records, std::string& error) const;
   /// One of the key's records, by its place in that order.
-  bool Take(std::size_t key, std::size_t place, std::vector<unsigned char>& record, std::string& error) const;
+  bool Take(std::size_t key, std::size_t place, vtkMTBytes::Record& record, std::string& error) const;
   /// Bytes of the key's records together.
   std::uint64_t GetSize(std::size_t key) const;
   std::size_t GetNumberOfKeys() const { return this->First.empty() ? 0 : this->First.size() - 1; }
@@ -59,6 +60,7 @@ private:
   };
 
   bool Flush(std::string& error);
+  bool Take(const Entry& entry, vtkMTBytes::Record& record, std::string& error) const;
   void SortEntries();
 
   vtkMTSpoolStore* Store = nullptr;

@@ -28,6 +28,9 @@ public:
   virtual bool Append(const void* data, std::size_t size, std::string& error) = 0;
   virtual bool Read(std::uint64_t offset, std::size_t size, void* data, std::string& error) const = 0;
   ///@}
+  /// Those bytes where they lie, until the spool is removed; null where they do not lie in memory, one behind the
+  /// other.
+  virtual const unsigned char* Find(std::uint64_t, std::size_t) const { return nullptr; }
   virtual std::uint64_t GetSize() const = 0;
 };
 

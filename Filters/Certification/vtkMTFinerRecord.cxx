@@ -282,7 +282,7 @@ void vtkMTFinerRecord::Encode(const vtkMTPatch& mesh, const vtkMTDirectDeviation
 }
 
 //------------------------------------------------------------------------------
-bool vtkMTFinerRecord::Append(const Bytes& record, const vtkMTDirectDeviation::Neighbourhood& near,
+bool vtkMTFinerRecord::Append(const vtkMTBytes::Record& record, const vtkMTDirectDeviation::Neighbourhood& near,
   const vtkMTPoint& origin, vtkMTDirectDeviation::FinerPart& part)
 {
   Reader reader(record);

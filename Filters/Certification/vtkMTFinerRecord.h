@@ -10,6 +10,7 @@
 #ifndef vtkMTFinerRecord_h
 #define vtkMTFinerRecord_h
 
+#include "vtkMTBytes.h"
 #include "vtkMTCertificationModule.h" // For export macro
 #include "vtkMTDirectDeviation.h"
 
@@ -24,8 +25,8 @@ public:
   static void Encode(const vtkMTPatch& mesh, const vtkMTDirectDeviation::Deviations& deviations, Bytes& bytes);
   /// Appends the groups of a record that are near, as seen from origin. False where the record is not as it was
   /// written; the part may have some of it then.
-  static bool Append(const Bytes& record, const vtkMTDirectDeviation::Neighbourhood& near, const vtkMTPoint& origin,
-    vtkMTDirectDeviation::FinerPart& part);
+  static bool Append(const vtkMTBytes::Record& record, const vtkMTDirectDeviation::Neighbourhood& near,
+    const vtkMTPoint& origin, vtkMTDirectDeviation::FinerPart& part);
 
   /// Around a box of lattice points, as seen from origin, and so much wider.
   static vtkMTBallGrid::Ball GetBall(const vtkMTBox& box, const vtkMTPoint& origin, double wider);

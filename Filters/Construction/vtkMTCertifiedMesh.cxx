@@ -56,7 +56,7 @@ void vtkMTCertifiedMesh::Encode(std::vector<unsigned char>& bytes) const
   this->Put(writer);
 }
 
-bool vtkMTCertifiedMesh::Decode(const std::vector<unsigned char>& bytes, std::string& error)
+bool vtkMTCertifiedMesh::Decode(const vtkMTBytes::Record& bytes, std::string& error)
 {
   vtkMTBytes::Reader reader(bytes);
   if (!this->Take(reader) || !reader.IsAtEnd())

@@ -9,6 +9,7 @@
 #ifndef vtkMTCertifiedMesh_h
 #define vtkMTCertifiedMesh_h
 
+#include "vtkMTBytes.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTDeviation.h"
 #include "vtkMTPatch.h"
@@ -39,7 +40,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTCertifiedMesh
   void Put(vtkMTBytes::Writer& writer) const;
   bool Take(vtkMTBytes::Reader& reader);
   void Encode(std::vector<unsigned char>& bytes) const;
-  bool Decode(const std::vector<unsigned char>& bytes, std::string& error);
+  bool Decode(const vtkMTBytes::Record& bytes, std::string& error);
   ///@}
 };
 

@@ -116,7 +116,7 @@ bool vtkMTFinerLevels::Collect(const vtkMTBuildState& state, const Place& place,
     const double wider = arc.ToNode == None ? 0.0 : state.Nodes[arc.ToNode].Error;
     return near.Touches(vtkMTFinerRecord::GetBall(arc.Arc.Box, origin, wider));
   };
-  Bytes record;
+  vtkMTBytes::Record record;
   for (const std::uint32_t r : this->FindRegionsBelow(state, place.Region, bottom))
   {
     const std::uint32_t first = finest.First[r];

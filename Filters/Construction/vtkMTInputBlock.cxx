@@ -103,7 +103,7 @@ void vtkMTInputBlock::Encode(std::vector<unsigned char>& bytes) const
   }
 }
 
-bool vtkMTInputBlock::Decode(const std::vector<unsigned char>& bytes, std::string& error)
+bool vtkMTInputBlock::Decode(const vtkMTBytes::Record& bytes, std::string& error)
 {
   vtkMTBytes::Reader reader(bytes);
   reader.TakeList(this->Points);

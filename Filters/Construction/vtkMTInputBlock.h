@@ -10,6 +10,7 @@
 #define vtkMTInputBlock_h
 
 #include "vtkMTArrayInfo.h"
+#include "vtkMTBytes.h"
 #include "vtkMTConstructionModule.h" // For export macro
 
 #include <array>
@@ -45,7 +46,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputBlock
   void Keep(const std::function<bool(const Triangle&)>& isKept);
 
   void Encode(std::vector<unsigned char>& bytes) const;
-  bool Decode(const std::vector<unsigned char>& bytes, std::string& error);
+  bool Decode(const vtkMTBytes::Record& bytes, std::string& error);
 };
 
 #endif

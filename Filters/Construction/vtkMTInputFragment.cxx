@@ -136,7 +136,7 @@ void vtkMTInputFragment::Encode(std::vector<unsigned char>& bytes) const
   }
 }
 
-bool vtkMTInputFragment::Decode(const std::vector<unsigned char>& bytes, std::string& error)
+bool vtkMTInputFragment::Decode(const vtkMTBytes::Record& bytes, std::string& error)
 {
   vtkMTBytes::Reader reader(bytes);
   vtkMTPatchRecord::Take(reader, this->Mesh); // what is wrong with it shows in the reader

@@ -10,6 +10,7 @@
 #ifndef vtkMTInputFragment_h
 #define vtkMTInputFragment_h
 
+#include "vtkMTBytes.h"
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTDihedralAngles.h"
 #include "vtkMTInputRegions.h"
@@ -45,7 +46,7 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
   ///@{
   /// Mesh, orientation and components, as bytes.
   void Encode(std::vector<unsigned char>& bytes) const;
-  bool Decode(const std::vector<unsigned char>& bytes, std::string& error);
+  bool Decode(const vtkMTBytes::Record& bytes, std::string& error);
   ///@}
 
   void TurnRound(const vtkMTOrientation& orientation);

@@ -181,7 +181,7 @@ bool vtkMTInputFragmentStep::Finish()
 bool vtkMTInputFragmentStep::Fetch(std::uint32_t region, Finishing& finishing, std::string& error)
 {
   finishing = Finishing();
-  std::vector<Bytes> records;
+  std::vector<vtkMTBytes::Record> records;
   if (!this->Fragments.Take(region, records, error))
   {
     return false;

@@ -347,7 +347,7 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
 bool vtkMTInputSpool::FetchBlock(
   std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const
 {
-  std::vector<std::vector<unsigned char>> records;
+  std::vector<vtkMTBytes::Record> records;
   vtkMTInputBlock& block = checked.Block;
   if (!this->RawBlocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))
   {
@@ -418,7 +418,7 @@ void vtkMTInputSpool::LeaveOut(const Test& test, const char* reason, std::uint64
 
 bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block, std::string& error) const
 {
-  std::vector<std::vector<unsigned char>> records;
+  std::vector<vtkMTBytes::Record> records;
   block = vtkMTInputBlock();
   if (!this->Blocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))
   {

@@ -74,7 +74,7 @@ bool vtkMTLevelStep::CheckLargest(const vtkMTRecordSpool& spool, std::size_t key
 bool vtkMTLevelStep::TakeFragment(
   std::size_t fragment, vtkMTCertifiedMesh& mesh, bool& isEmpty, std::string& error) const
 {
-  std::vector<Bytes> records;
+  std::vector<vtkMTBytes::Record> records;
   if (!this->State.Fragments.Take(fragment, records, error))
   {
     return false;

@@ -2,7 +2,6 @@
 #include "vtkMTRegionSpool.h"
 
 #include "vtkMTBytes.h"
-#include "vtkMTRelease.h"
 
 namespace
 {
@@ -65,21 +64,21 @@ bool vtkMTRegionSpool::Seal(std::string& error)
 bool vtkMTRegionSpool::Take(std::size_t region, vtkMTRegionRecords& records, std::string& error) const
 {
   records = vtkMTRegionRecords();
-  std::vector<Bytes> stored;
+  std::vector<vtkMTBytes::Record> stored;
   if (!this->Records.Take(region, stored, error))
   {
     return false;
   }
   records.Patches.reserve(stored.size());
-  for (Bytes& bytes : stored)
+  for (vtkMTBytes::Record& record : stored)
   {
-    vtkMTBytes::Reader reader(bytes);
+    vtkMTBytes::Reader reader(record);
     if (!TakeRecord(reader, records))
     {
       error = "temporary data does not hold the region that was written";
       return false;
     }
-    vtkMTRelease(bytes);
+    record = {};
   }
   return true;
 }

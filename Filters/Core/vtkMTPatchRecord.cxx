@@ -74,7 +74,7 @@ void vtkMTPatchRecord::Encode(const vtkMTPatch& patch, std::vector<unsigned char
   Put(patch, writer);
 }
 
-bool vtkMTPatchRecord::Decode(const std::vector<unsigned char>& bytes, vtkMTPatch& patch, std::string& error)
+bool vtkMTPatchRecord::Decode(const vtkMTBytes::Record& bytes, vtkMTPatch& patch, std::string& error)
 {
   vtkMTBytes::Reader reader(bytes);
   if (!Take(reader, patch) || !reader.IsAtEnd())

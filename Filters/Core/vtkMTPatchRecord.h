@@ -9,6 +9,7 @@
 #ifndef vtkMTPatchRecord_h
 #define vtkMTPatchRecord_h
 
+#include "vtkMTBytes.h"
 #include "vtkMTFiltersCoreModule.h" // For export macro
 #include "vtkMTPatch.h"
 
@@ -32,7 +33,7 @@ struct VTKMTFILTERSCORE_EXPORT vtkMTPatchRecord
   /// Replaces what is in bytes.
   static void Encode(const vtkMTPatch& patch, std::vector<unsigned char>& bytes);
   /// False with a message in error when the bytes are not those of a patch.
-  static bool Decode(const std::vector<unsigned char>& bytes, vtkMTPatch& patch, std::string& error);
+  static bool Decode(const vtkMTBytes::Record& bytes, vtkMTPatch& patch, std::string& error);
 };
 
 #endif

@@ -70,7 +70,7 @@ bool Read(vtkPolyData* mesh, Input& input, std::string& error, bool keep = false
   input.Lattice = state.Graph.Lattice;
   for (std::size_t region = 0; read && region < state.Fragments.GetNumberOfKeys(); ++region)
   {
-    std::vector<std::vector<unsigned char>> records;
+    std::vector<vtkMTBytes::Record> records;
     vtkMTCertifiedMesh fragment;
     EXPECT_TRUE(state.Fragments.Take(region, records, error) && !records.empty() && fragment.Decode(records[0], error));
     input.Triangles += fragment.Mesh.Triangles.size();
