@@ -5,6 +5,14 @@
 #include <cmath>
 #include <cstring>
 
+// Made twice, and the processor's own is taken when the program starts: with instructions for four doubles or eight
+// floats at a time the results are the same to the last bit, as nothing is contracted.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define MT_FOR_WIDE_PROCESSORS __attribute__((target_clones("avx2", "default")))
+#else
+#define MT_FOR_WIDE_PROCESSORS
+#endif
+
 namespace
 {
 constexpr std::size_t BlockSize = 64;
@@ -38,7 +46,7 @@ inline float GetAngle(float y, float x)
   return 2.0f * quarter - std::copysign(quarter + p, x + 0.0f); // which -0 is not
 }
 
-void ComputeFactors(Triangles& block, std::size_t count)
+MT_FOR_WIDE_PROCESSORS void ComputeFactors(Triangles& block, std::size_t count)
 {
   constexpr double scale = 0x1p-32; // so that squares of floats are in their range
   for (std::size_t t = 0; t < count; ++t)
@@ -283,8 +291,8 @@ std::array<float, 3> vtkMTMadeNormals::GetNormal(const Place& place, int bits)
   return normal;
 }
 
-void vtkMTMadeNormals::GetNormals(const std::uint16_t* u, const std::uint16_t* v, std::size_t count, int bits,
-  const std::uint32_t* places, unsigned char* normals)
+MT_FOR_WIDE_PROCESSORS void vtkMTMadeNormals::GetNormals(const std::uint16_t* u, const std::uint16_t* v,
+  std::size_t count, int bits, const std::uint32_t* places, unsigned char* normals)
 {
   const auto half = static_cast<float>(GetHalf(bits));
   const int none = (1 << bits) - 1;
