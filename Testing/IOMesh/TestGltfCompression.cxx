@@ -93,7 +93,11 @@ TEST(GltfCompression, MeshoptWithAllFilters)
     normals.push_back(0.0f);
   }
   std::vector<std::uint32_t> exponential(24);
+#if MESHOPTIMIZER_VERSION >= 190
+  meshopt_encodeFilterExp(exponential.data(), 8, 12, 20, places.data(), meshopt_EncodeExpSharedVector);
+#else
   meshopt_encodeFilterExp(exponential.data(), 8, 12, 20, places.data());
+#endif
   std::vector<std::int8_t> octahedral(32);
   meshopt_encodeFilterOct(octahedral.data(), 8, 4, 8, normals.data());
   const float half = std::sqrt(0.5f);
