@@ -10,6 +10,9 @@
 namespace
 {
 constexpr std::size_t Probes = 16; // triangles by which the largest true deviation is found
+// Of a fragment, until what is near one part is small enough. Where sums are so large that everything is near every
+// triangle, as of thousands of components that lie apart, halving does not help.
+constexpr int MostHalvings = 6;
 using Ball = vtkMTBallGrid::Ball;
 using Deviations = vtkMTDirectDeviation::Deviations;
 using Improver = vtkMTDirectImprover;
@@ -97,10 +100,15 @@ private:
   // is near of that would be too large.
   bool ForParts(std::size_t levelsBelow, const Deviations& known, const Use& use, std::string& error)
   {
-    std::vector<Improver::Range> parts{ { 0, static_cast<std::uint32_t>(known.size()) } };
+    struct Part
+    {
+      Improver::Range Of;
+      int Halvings;
+    };
+    std::vector<Part> parts{ { { 0, static_cast<std::uint32_t>(known.size()) }, 0 } };
     while (!parts.empty())
     {
-      const Improver::Range range = parts.back();
+      const auto [range, halvings] = parts.back();
       parts.pop_back();
       vtkMTDirectDeviation::FinerPart part;
       part.Most = vtkMTDirectDeviation::MostPerTriangle * this->Floor.Surface.GetNumberOfTriangles();
@@ -109,11 +117,11 @@ private:
         return false;
       }
       const bool isTooLarge = part.Mesh.Triangles.size() > part.Most;
-      if (isTooLarge && range.End - range.First > 1)
+      if (isTooLarge && range.End - range.First > 1 && halvings < MostHalvings)
       {
         const std::uint32_t middle = range.First + (range.End - range.First) / 2;
-        parts.push_back({ middle, range.End });
-        parts.push_back({ range.First, middle });
+        parts.push_back({ { middle, range.End }, halvings + 1 });
+        parts.push_back({ { range.First, middle }, halvings + 1 });
       }
       else if (!isTooLarge && !part.Mesh.Triangles.empty())
       {
