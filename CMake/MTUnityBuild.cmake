@@ -32,6 +32,10 @@ set(mt_single_sources
   MTIOMesh:IO/Mesh/vtkMTPlyReader.cxx
   MTIOMesh:IO/Mesh/vtkMTPlyStream.cxx
   MTIOMesh:IO/Mesh/vtkMTStlStream.cxx
+  MTRenderingCore:Rendering/Core/vtkMTCutIds.cxx
+  MTRenderingCore:Rendering/Core/vtkMTFinestNear.cxx
+  MTRenderingCore:Rendering/Core/vtkMTFinestPatches.cxx
+  MTRenderingCore:Rendering/Core/vtkMTInputIdFinder.cxx
   MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx)
 
 # mt_unity_build(<modules>): where MT_UNITY_BUILD is on; their targets are there by now.
@@ -62,12 +66,15 @@ set(mt_single_tests
   Certification/TestTriangleDeviation.cxx
   Construction/TestExactPoints.cxx
   Construction/TestFarOutliers.cxx
+  Construction/TestInputIds.cxx
   Construction/TestOutOfCore.cxx
+  General/TestInputIdFinder.cxx
   IO/TestFile.cxx
   IO/TestGolden.cxx
   IOMesh/TestMeshReader.cxx
   IOMesh/TestObjReader.cxx
   Rendering/TestMapperAgainstPolyDataMapper.cxx
+  Rendering/TestMapperInputIds.cxx
   Rendering/TestMapperLimits.cxx
   Rendering/TestMapperPasses.cxx
   Rendering/TestMapperPicking.cxx

@@ -143,7 +143,7 @@ public:
 
   static bool IsFor(const vtkMTArrayInfo& info)
   {
-    return info.Resampling == vtkMTArrayInfo::Interpolate && info.Role != vtkMTArrayInfo::ExactPoints &&
+    return info.Resampling == vtkMTArrayInfo::Interpolate && !info.IsFinestOnly() &&
       info.Attribute != vtkDataSetAttributes::TCOORDS;
   }
 
@@ -396,7 +396,7 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
   {
     if (info.Association == vtkMTArrayInfo::Point)
     {
-      if (info.Role != vtkMTArrayInfo::ExactPoints) // which only level 0 has
+      if (!info.IsFinestOnly())
       {
         transfer.Run(info, floor.PointColumns[pointArray], fragment.PointColumns[pointArray]);
       }
@@ -409,8 +409,8 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
     }
     const std::size_t size = info.GetTupleSize();
     vtkMTColumn& to = fragment.CellColumns[cellArray];
-    to.resize(nearest.size() * size);
-    for (std::size_t t = 0; t < nearest.size(); ++t)
+    to.resize(info.IsFinestOnly() ? 0 : nearest.size() * size);
+    for (std::size_t t = 0; t < nearest.size() && !info.IsFinestOnly(); ++t)
     {
       std::memcpy(to.data() + t * size, floor.CellColumns[cellArray].data() + nearest[t] * size, size);
     }
