@@ -234,16 +234,17 @@ void AddSettings(CLI::App& command, Builder* builder)
     "No point moves by more than this, in model units, when it is put on the lattice; in place of --lattice-bits")
     ->check(CLI::PositiveNumber);
   AddSetting(command, "--feature-angle", builder, &Builder::SetFeatureAngle,
-    "Edges sharper than this (degrees) are hard where normals are made; none: no edge; auto: 30 for CAD, none "
-    "otherwise")
+    "Edges sharper than this (degrees) are hard where normals are made; none; auto: 30 for CAD, none otherwise")
     ->transform(CLI::Transformer(std::map<std::string, double>{ { "auto", -1.0 }, { "none", 180.0 } }))
     ->check(CLI::Range(-1.0, 180.0));
-  const std::map<std::string, int> compressions{ { "none", Builder::NoCompression },
-    { "fast", Builder::FastCompression }, { "small", Builder::SmallCompression } };
   AddSetting(command, "--compression", builder, &Builder::SetCompression,
     "none, fast (packed, LZ4) or small (packed, zstd: a little smaller, slower)")
-    ->transform(CLI::CheckedTransformer(compressions))
+    ->transform(CLI::CheckedTransformer(std::map<std::string, int>{ { "none", 0 }, { "fast", 1 }, { "small", 2 } }))
     ->default_str("fast");
+  AddSetting(command, "--ids", builder, &Builder::SetInputIds,
+    "Levels with the input's cell ids, by which picking finds cells: none, finest, all")
+    ->transform(CLI::CheckedTransformer(std::map<std::string, int>{ { "none", 0 }, { "finest", 1 }, { "all", 2 } }))
+    ->default_str("finest");
   const auto list = [&](const char* name, void (Builder::*add)(const char*), const char* text)
   {
     const auto set = [=](const std::vector<std::string>& names)
@@ -260,7 +261,8 @@ void AddSettings(CLI::App& command, Builder* builder)
     command.add_flag_callback(
       name, [=] { (builder->*set)(); }, text);
   };
-  flag("--no-ids", &Builder::KeepIdsOff, "Do not keep the input's cell ids, by which picking finds cells");
+  flag("--no-ids", &Builder::SetInputIdsToNone, "The same as --ids none");
+  flag("--point-ids", &Builder::InputPointIdsOn, "Keep the input's point ids on the finest level");
   flag("--exact", &Builder::ExactPointsOn, "Keep the input's coordinates bit for bit, for 'bmt extract --level 0'");
   flag("--certify-normals", &Builder::CertifyNormalsOn, "Bound normals too, for 'bmt render --metric normals'");
   flag("--keep-far-outliers", &Builder::KeepFarOutliersOn,
@@ -278,9 +280,7 @@ void AddOptions(CLI::App& command, Options& options)
     ->required();
   command.add_option("-o,--output", options.Output, "The Multi-Triangulation file to write")->required();
   bmtAddInputOptions(command, options.Input);
-  command
-    .add_option(
-      "--partition", options.Partition, "How regions are placed: v (Voronoi) or regular (cube, face and edge centres)")
+  command.add_option("--partition", options.Partition, "Regions: v (Voronoi) or regular (cube, face, edge centres)")
     ->check(CLI::IsMember({ "v", "regular" }))
     ->capture_default_str();
   command

@@ -32,7 +32,12 @@ set(mt_single_sources
   MTIOMesh:IO/Mesh/vtkMTPlyReader.cxx
   MTIOMesh:IO/Mesh/vtkMTPlyStream.cxx
   MTIOMesh:IO/Mesh/vtkMTStlStream.cxx
+  MTRenderingCore:Rendering/Core/vtkMTCutIds.cxx
+  MTRenderingCore:Rendering/Core/vtkMTFinestNear.cxx
+  MTRenderingCore:Rendering/Core/vtkMTFinestPatches.cxx
+  MTRenderingCore:Rendering/Core/vtkMTInputIdFinder.cxx
   MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx
+  MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTSelectionIds.cxx
   MTVerification:Filters/Verification/Readers/vtkMTVerifyGltfInput.cxx
   MTVerification:Filters/Verification/Readers/vtkMTVerifyObjInput.cxx
   MTVerification:Filters/Verification/Readers/vtkMTVerifyStlInput.cxx
@@ -70,12 +75,15 @@ set(mt_single_tests
   Certification/TestTriangleDeviation.cxx
   Construction/TestExactPoints.cxx
   Construction/TestFarOutliers.cxx
+  Construction/TestInputIds.cxx
   Construction/TestOutOfCore.cxx
+  General/TestInputIdFinder.cxx
   IO/TestFile.cxx
   IO/TestGolden.cxx
   IOMesh/TestMeshReader.cxx
   IOMesh/TestObjReader.cxx
   Rendering/TestMapperAgainstPolyDataMapper.cxx
+  Rendering/TestMapperInputIds.cxx
   Rendering/TestMapperLimits.cxx
   Rendering/TestMapperPasses.cxx
   Rendering/TestMapperPicking.cxx

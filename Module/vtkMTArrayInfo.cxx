@@ -46,6 +46,13 @@ std::size_t vtkMTArrayInfo::GetTupleSize() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkMTArrayInfo::IsFinestOnly() const
+{
+  const auto levels = this->Properties.find("levels");
+  return this->Role == ExactPoints || (levels != this->Properties.end() && levels->second == "finest");
+}
+
+//------------------------------------------------------------------------------
 // Compared in the values' own type, so that nothing is lost before the end. What is compared with NaN stays.
 template <typename Value>
 static void FindRanges(const vtkMTColumn& column, std::vector<vtkMTRange>& ranges)

@@ -5,7 +5,7 @@
  *
  * Values are kept as bytes in native VTK layout: tuple by tuple, Components values of VTK type Type each. Point arrays
  * have one tuple per wedge of a patch, cell arrays one per triangle. On level 0 the bytes are the input's; above, they
- * are resampled as Resampling says. An array of role ExactPoints is empty above level 0.
+ * are resampled as Resampling says. Of some arrays the patches above the finest level have no values (IsFinestOnly).
  *
  * vtkMTRange is the least and the largest of some values.
  */
@@ -81,11 +81,20 @@ struct VTKMTCORE_EXPORT vtkMTArrayInfo
   int Attribute = -1; ///< vtkDataSetAttributes::SCALARS, NORMALS, TCOORDS ... where the array is the active one, or -1
   std::vector<std::string> ComponentNames; ///< Components names, or none
   /// What else the input's array says of itself: "units" (vtkDataArray::UNITS_LABEL), "lookup_table" (the bytes of
-  /// vtkMTLookupTable).
+  /// vtkMTLookupTable); and "levels", see IsFinestOnly.
   std::map<std::string, std::string> Properties;
 
   /// Bytes of one tuple; 0 for a type that is not carried.
   std::size_t GetTupleSize() const;
+
+  ///@{
+  /// Whether only patches of the finest level have values, and the array's column is empty in all others: exact points,
+  /// and arrays whose property "levels" is "finest". What stands for missing values where patches of several levels
+  /// become one mesh is MakeUnknown: all bits one, which are -1, NaN, or the largest number of an unsigned type.
+  bool IsFinestOnly() const;
+  void SetFinestOnly() { this->Properties["levels"] = "finest"; }
+  vtkMTColumn MakeUnknown(std::size_t tuples) const { return vtkMTColumn(tuples * this->GetTupleSize(), 0xff); }
+  ///@}
 
   /// The range of each component of a column. NaN is left out, 64-bit integers are rounded to double; residuals
   /// (ExactPoints) are no values and have empty ranges.

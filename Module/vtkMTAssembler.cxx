@@ -3,6 +3,7 @@
 
 #include "vtkMTIdTable.h"
 
+#include <algorithm>
 #include <cstring>
 #include <unordered_map>
 #include <utility>
@@ -15,9 +16,24 @@ constexpr std::uint32_t None = vtkMTIdTable::None;
 // between any two of them.
 constexpr unsigned char MostWedgesInList = 16;
 
+// As vtkMTArrayInfo::MakeUnknown has them.
+constexpr unsigned char UnknownByte = 0xff;
+
 //------------------------------------------------------------------------------
+bool IsUnknown(const unsigned char* tuple, std::size_t size)
+{
+  return std::all_of(tuple, tuple + size, [](unsigned char byte) { return byte == UnknownByte; });
+}
+
+//------------------------------------------------------------------------------
+// An unknown one where the patch has none.
 void AppendTuple(vtkMTColumn& to, const vtkMTColumn& from, std::size_t index, std::size_t size)
 {
+  if (from.empty())
+  {
+    to.insert(to.end(), size, UnknownByte);
+    return;
+  }
   to.insert(to.end(), from.begin() + index * size, from.begin() + (index + 1) * size);
 }
 }
@@ -25,11 +41,23 @@ void AppendTuple(vtkMTColumn& to, const vtkMTColumn& from, std::size_t index, st
 //------------------------------------------------------------------------------
 struct vtkMTAssembler::Internals
 {
-  std::vector<std::size_t> PointSizes; // bytes of a tuple
-  std::vector<std::size_t> CellSizes;
-  std::vector<unsigned char> HasPointColumn;
-  std::vector<unsigned char> HasCellColumn;
-  std::vector<unsigned char> IsOptional; // of the point columns: only where all patches have it
+  // What becomes of a column that some patches do not have.
+  enum class Missing : unsigned char
+  {
+    Refused,
+    GivenUp, // the mesh has it only where all patches have
+    Unknown  // theirs are unknown
+  };
+  using Columns = std::vector<vtkMTColumn>;
+  // The arrays of points, or those of cells.
+  struct Side
+  {
+    std::vector<std::size_t> Sizes; // bytes of a tuple
+    std::vector<Missing> Missings;
+    std::vector<unsigned char> Has;
+  };
+  Side OfPoints;
+  Side OfCells;
   bool First = true;
   vtkMTIdTable Table;
   std::vector<std::uint32_t> FirstWedge; // per point of the mesh
@@ -38,32 +66,39 @@ struct vtkMTAssembler::Internals
   std::unordered_multimap<std::uint64_t, std::uint32_t> Hashed; // wedges of points of more than are looked through
   std::vector<std::uint32_t> WedgeMap;                          // per wedge of the patch
 
-  bool AreColumnsRight(const std::vector<vtkMTColumn>& columns, const std::vector<std::size_t>& sizes,
-    std::vector<unsigned char>& has, std::size_t tuples) const
+  static bool IsCarried(const Columns& columns, std::size_t i, std::size_t tuples)
   {
-    for (std::size_t i = 0; i < sizes.size(); ++i)
+    return i < columns.size() && !(columns[i].empty() && tuples > 0);
+  }
+
+  // Decides which columns the mesh has with this patch; false when one of the patch's has the wrong length. meshTuples:
+  // what the mesh has of each so far.
+  bool AddColumns(const Columns& columns, std::size_t tuples, std::size_t meshTuples, Side& side, Columns& ofMesh) const
+  {
+    for (std::size_t i = 0; i < side.Sizes.size(); ++i)
     {
-      const bool carried = i < columns.size() && !(columns[i].empty() && tuples > 0);
-      has[i] = this->First ? carried : has[i];
-      if (has[i] && (!carried || columns[i].size() != tuples * sizes[i]))
+      const bool carried = IsCarried(columns, i, tuples);
+      if (this->First)
+      {
+        side.Has[i] = carried;
+      }
+      else if (side.Missings[i] == Missing::GivenUp && !carried && tuples > 0)
+      {
+        side.Has[i] = 0;
+        ofMesh[i] = vtkMTColumn();
+      }
+      else if (side.Missings[i] == Missing::Unknown && carried && tuples > 0 && !side.Has[i])
+      {
+        side.Has[i] = 1;
+        ofMesh[i].assign(meshTuples * side.Sizes[i], UnknownByte);
+      }
+      const bool mayLack = side.Missings[i] == Missing::Unknown && i < columns.size();
+      if (side.Has[i] && (carried ? columns[i].size() != tuples * side.Sizes[i] : !mayLack))
       {
         return false;
       }
     }
     return true;
-  }
-
-  void GiveUpOptional(const vtkMTPatch& patch, vtkMTPatch& mesh)
-  {
-    for (std::size_t i = 0; i < this->IsOptional.size() && !this->First; ++i)
-    {
-      if (this->IsOptional[i] && i < patch.PointColumns.size() && patch.PointColumns[i].empty() &&
-        patch.GetNumberOfWedges() > 0)
-      {
-        this->HasPointColumn[i] = 0;
-        mesh.PointColumns[i] = vtkMTColumn();
-      }
-    }
   }
 
   bool IsSound(const vtkMTPatch& patch) const
@@ -88,11 +123,16 @@ struct vtkMTAssembler::Internals
 
   bool AreWedgesEqual(const vtkMTPatch& mesh, std::uint32_t a, const vtkMTPatch& patch, std::uint32_t b) const
   {
-    for (std::size_t i = 0; i < this->PointSizes.size(); ++i)
+    for (std::size_t i = 0; i < this->OfPoints.Sizes.size(); ++i)
     {
-      const std::size_t size = this->PointSizes[i];
-      if (this->HasPointColumn[i] &&
-        std::memcmp(mesh.PointColumns[i].data() + a * size, patch.PointColumns[i].data() + b * size, size) != 0)
+      const std::size_t size = this->OfPoints.Sizes[i];
+      if (!this->OfPoints.Has[i] || patch.PointColumns[i].empty())
+      {
+        continue;
+      }
+      const unsigned char* const known = mesh.PointColumns[i].data() + a * size;
+      const bool isKnown = this->OfPoints.Missings[i] != Missing::Unknown || !IsUnknown(known, size);
+      if (isKnown && std::memcmp(known, patch.PointColumns[i].data() + b * size, size) != 0)
       {
         return false;
       }
@@ -100,14 +140,28 @@ struct vtkMTAssembler::Internals
     return true;
   }
 
-  // FNV-1a.
+  // Values that the wedge had not, and which the patch has.
+  void AddKnown(std::uint32_t wedge, const vtkMTPatch& patch, std::uint32_t of, vtkMTPatch& mesh) const
+  {
+    for (std::size_t i = 0; i < this->OfPoints.Sizes.size(); ++i)
+    {
+      const std::size_t size = this->OfPoints.Sizes[i];
+      if (this->OfPoints.Has[i] && this->OfPoints.Missings[i] == Missing::Unknown && !patch.PointColumns[i].empty())
+      {
+        std::memcpy(mesh.PointColumns[i].data() + wedge * size, patch.PointColumns[i].data() + of * size, size);
+      }
+    }
+  }
+
+  // FNV-1a, without what may be unknown.
   std::uint64_t Hash(std::uint32_t point, const vtkMTPatch& of, std::uint32_t wedge) const
   {
     std::uint64_t hash = 0xcbf29ce484222325u ^ point;
-    for (std::size_t i = 0; i < this->PointSizes.size(); ++i)
+    for (std::size_t i = 0; i < this->OfPoints.Sizes.size(); ++i)
     {
-      const std::size_t size = this->PointSizes[i];
-      for (std::size_t at = 0; this->HasPointColumn[i] && at < size; ++at)
+      const std::size_t size = this->OfPoints.Sizes[i];
+      const bool counts = this->OfPoints.Has[i] && this->OfPoints.Missings[i] != Missing::Unknown;
+      for (std::size_t at = 0; counts && at < size; ++at)
       {
         const auto byte = static_cast<unsigned char>(of.PointColumns[i][wedge * size + at]);
         hash = (hash ^ byte) * 0x100000001b3u;
@@ -162,17 +216,16 @@ vtkMTAssembler::vtkMTAssembler(const std::vector<vtkMTArrayInfo>& arrays)
 {
   for (const vtkMTArrayInfo& array : arrays)
   {
-    (array.Association == vtkMTArrayInfo::Cell ? this->Implementation->CellSizes : this->Implementation->PointSizes)
-      .push_back(array.GetTupleSize());
-    if (array.Association == vtkMTArrayInfo::Point)
-    {
-      this->Implementation->IsOptional.push_back(array.Role == vtkMTArrayInfo::ExactPoints ? 1 : 0);
-    }
+    const bool ofCells = array.Association == vtkMTArrayInfo::Cell;
+    Internals::Side& side = ofCells ? this->Implementation->OfCells : this->Implementation->OfPoints;
+    side.Sizes.push_back(array.GetTupleSize());
+    side.Missings.push_back(array.Role == vtkMTArrayInfo::ExactPoints ? Internals::Missing::GivenUp
+        : array.IsFinestOnly()                                        ? Internals::Missing::Unknown
+                                                                      : Internals::Missing::Refused);
+    side.Has.push_back(1);
   }
-  this->Implementation->HasPointColumn.resize(this->Implementation->PointSizes.size(), 1);
-  this->Implementation->HasCellColumn.resize(this->Implementation->CellSizes.size(), 1);
-  this->Mesh.PointColumns.resize(this->Implementation->PointSizes.size());
-  this->Mesh.CellColumns.resize(this->Implementation->CellSizes.size());
+  this->Mesh.PointColumns.resize(this->Implementation->OfPoints.Sizes.size());
+  this->Mesh.CellColumns.resize(this->Implementation->OfCells.Sizes.size());
 }
 
 //------------------------------------------------------------------------------
@@ -187,9 +240,10 @@ bool vtkMTAssembler::Add(const vtkMTPatch& patch)
     this->Error = "a patch has an index out of range";
     return false;
   }
-  in.GiveUpOptional(patch, this->Mesh);
-  if (!in.AreColumnsRight(patch.PointColumns, in.PointSizes, in.HasPointColumn, patch.GetNumberOfWedges()) ||
-    !in.AreColumnsRight(patch.CellColumns, in.CellSizes, in.HasCellColumn, patch.Triangles.size()))
+  if (!in.AddColumns(patch.PointColumns, patch.GetNumberOfWedges(), this->Mesh.WedgePoints.size(), in.OfPoints,
+        this->Mesh.PointColumns) ||
+    !in.AddColumns(
+      patch.CellColumns, patch.Triangles.size(), this->Mesh.Triangles.size(), in.OfCells, this->Mesh.CellColumns))
   {
     this->Error = "a patch has an array of the wrong length";
     return false;
@@ -249,14 +303,18 @@ bool vtkMTAssembler::AddWedgesAndTriangles(const vtkMTPatch& patch)
     {
       known = static_cast<std::uint32_t>(this->Mesh.WedgePoints.size());
       this->Mesh.WedgePoints.push_back(point);
-      for (std::size_t i = 0; i < in.PointSizes.size(); ++i)
+      for (std::size_t i = 0; i < in.OfPoints.Sizes.size(); ++i)
       {
-        if (in.HasPointColumn[i])
+        if (in.OfPoints.Has[i])
         {
-          AppendTuple(this->Mesh.PointColumns[i], patch.PointColumns[i], w, in.PointSizes[i]);
+          AppendTuple(this->Mesh.PointColumns[i], patch.PointColumns[i], w, in.OfPoints.Sizes[i]);
         }
       }
       in.Link(this->Mesh, point, known);
+    }
+    else
+    {
+      in.AddKnown(known, patch, w, this->Mesh);
     }
     in.WedgeMap[w] = known;
   }
@@ -264,12 +322,13 @@ bool vtkMTAssembler::AddWedgesAndTriangles(const vtkMTPatch& patch)
   {
     this->Mesh.Triangles.push_back({ in.WedgeMap[t[0]], in.WedgeMap[t[1]], in.WedgeMap[t[2]] });
   }
-  for (std::size_t i = 0; i < in.CellSizes.size(); ++i)
+  for (std::size_t i = 0; i < in.OfCells.Sizes.size(); ++i)
   {
-    if (in.HasCellColumn[i])
+    if (in.OfCells.Has[i])
     {
-      this->Mesh.CellColumns[i].insert(
-        this->Mesh.CellColumns[i].end(), patch.CellColumns[i].begin(), patch.CellColumns[i].end());
+      vtkMTColumn& column = this->Mesh.CellColumns[i];
+      column.insert(column.end(), patch.CellColumns[i].begin(), patch.CellColumns[i].end());
+      column.resize(this->Mesh.Triangles.size() * in.OfCells.Sizes[i], UnknownByte);
     }
   }
   return true;
@@ -280,8 +339,8 @@ vtkMTPatch vtkMTAssembler::TakeMesh()
 {
   vtkMTPatch mesh = std::move(this->Mesh);
   this->Mesh = vtkMTPatch();
-  this->Mesh.PointColumns.resize(this->Implementation->PointSizes.size());
-  this->Mesh.CellColumns.resize(this->Implementation->CellSizes.size());
+  this->Mesh.PointColumns.resize(this->Implementation->OfPoints.Sizes.size());
+  this->Mesh.CellColumns.resize(this->Implementation->OfCells.Sizes.size());
   this->Implementation->Table = vtkMTIdTable();
   this->Implementation->FirstWedge.clear();
   this->Implementation->NextWedge.clear();

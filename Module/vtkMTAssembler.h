@@ -27,7 +27,9 @@ public:
   /**
    * Appends one patch. False when a shared id comes with another place than before, which is a broken model; the
    * message is in GetError. A column that is empty in the first patch is left empty in the result, and so is one of
-   * role ExactPoints that is empty in any.
+   * role ExactPoints that is empty in any. Of other arrays that only the finest level has
+   * (vtkMTArrayInfo::IsFinestOnly) the result has a column where any patch has one, with unknown values for the others;
+   * a wedge that two patches share is one, with the value that is known.
    */
   bool Add(const vtkMTPatch& patch);
 

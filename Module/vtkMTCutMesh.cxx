@@ -40,7 +40,8 @@ bool vtkMTCutMesh::Make(const vtkMTPatchSource& source, vtkPolyData* output, std
       return false;
     }
   }
-  const vtkMTPatch& mesh = assembler.GetMesh();
+  vtkMTPatch mesh = assembler.TakeMesh();
+  this->AddUnknown(graph, mesh);
   if (!vtkMTMeshToPolyData::Convert(mesh, graph.Lattice, graph.Arrays, output))
   {
     error = source.GetName() + ": the exact points are farther from the lattice than the model's largest shift";
@@ -63,6 +64,24 @@ bool vtkMTCutMesh::Make(const vtkMTPatchSource& source, vtkPolyData* output, std
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Where none of the patches is of the finest level, an array that only that level has is there all the same.
+void vtkMTCutMesh::AddUnknown(const vtkMTGraph& graph, vtkMTPatch& mesh) const
+{
+  std::size_t next[2] = { 0, 0 };
+  for (std::size_t i = 0; i < graph.Arrays.size(); ++i)
+  {
+    const vtkMTArrayInfo& array = graph.Arrays[i];
+    const bool ofCells = array.Association == vtkMTArrayInfo::Cell;
+    vtkMTColumn& column = (ofCells ? mesh.CellColumns : mesh.PointColumns)[next[ofCells]++];
+    const bool isWanted = !this->Arrays || (*this->Arrays)[i];
+    if (isWanted && array.IsFinestOnly() && array.Role != vtkMTArrayInfo::ExactPoints && column.empty())
+    {
+      column = array.MakeUnknown(ofCells ? mesh.Triangles.size() : mesh.GetNumberOfWedges());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

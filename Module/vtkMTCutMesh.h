@@ -3,7 +3,10 @@
  * @class vtkMTCutMesh
  * @brief patches as one welded polydata, read one after the other
  *
- * The order of points and cells is that of the arcs, so it depends on nothing else.
+ * The order of points and cells is that of the arcs, so it depends on nothing else. Arrays that only the finest level
+ * has (vtkMTArrayInfo::IsFinestOnly), such as the input's ids, are complete where all arcs are of that level; elsewhere
+ * they are -1 for triangles of coarser patches, and for their points, but not for those that they share with a patch of
+ * the finest level.
  */
 #ifndef vtkMTCutMesh_h
 #define vtkMTCutMesh_h
@@ -18,6 +21,7 @@
 class vtkMTGraph;
 class vtkMTPatchSource;
 class vtkPolyData;
+struct vtkMTPatch;
 struct vtkMTPlacement;
 
 struct VTKMTCORE_EXPORT vtkMTCutMesh
@@ -42,6 +46,7 @@ struct VTKMTCORE_EXPORT vtkMTCutMesh
     std::vector<std::uint32_t>* wedgePoints = nullptr) const;
 
 private:
+  void AddUnknown(const vtkMTGraph& graph, vtkMTPatch& mesh) const;
   void AddDistances(const vtkMTGraph& graph, vtkPolyData* output) const;
 };
 

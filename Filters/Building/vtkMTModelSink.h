@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTModelSink
- * @brief a patch sink in front of another one, for what a file gets beside the builder's patches, or not
+ * @brief a patch sink in front of another one, for what a file gets beside the builder's patches
  */
 #ifndef vtkMTModelSink_h
 #define vtkMTModelSink_h
@@ -18,10 +18,9 @@
 class VTKMTBUILDING_EXPORT vtkMTModelSink : public vtkMTPatchSink
 {
 public:
-  /// The input's textures become blobs of the model, its frame and units the model's; without ids the array of input
-  /// cell ids is left out. identity: what tells the build from others, kept as the setting "build" by which a finished
-  /// build is known again.
-  vtkMTModelSink(vtkMTPatchSink& next, const vtkMTBuildInput::Result& input, bool withIds, const std::string& identity);
+  /// The input's textures become blobs of the model, its frame and units the model's. identity: what tells the build
+  /// from others, kept as the setting "build" by which a finished build is known again.
+  vtkMTModelSink(vtkMTPatchSink& next, const vtkMTBuildInput::Result& input, const std::string& identity);
 
   bool Begin(const std::vector<vtkMTArrayInfo>& arrays) override;
   bool WritePatch(vtkMTPatch&& patch) override;
@@ -35,15 +34,10 @@ public:
 
 private:
   bool Pass(bool done);
-  std::vector<vtkMTArrayInfo> Select(const std::vector<vtkMTArrayInfo>& arrays) const;
-  void FindDroppedColumns(const std::vector<vtkMTArrayInfo>& arrays);
-  void Drop(vtkMTPatch& patch) const;
 
   vtkMTPatchSink& Next;
   const vtkMTBuildInput::Result& Input;
-  const bool WithIds;
   const std::string Identity;
-  std::vector<std::size_t> DroppedCellColumns; // from the last to the first
 };
 
 #endif

@@ -262,10 +262,10 @@ bool vtkMultiTriangulationFileBuilder::MakeIdentity(const vtkMTInputFiles& files
   text << "; iso " << input.IsoValue.value_or(0.0) << input.IsoValue.has_value() << input.GradientNormals
        << "; heights by " << input.VerticalScale << input.Degrees << "; patches of " << builder->GetPatchTriangles()
        << ", " << this->LatticeBits << " bits, precision " << this->Precision << ", " << compressions[this->Compression]
-       << "; " << !builder->GetMakeNormals() << !this->KeepIds << builder->GetKeepFarOutliers()
-       << (builder->GetExactPoints() ? " exact" : "") << (builder->GetCertifyNormals() ? " normals" : "") << "; "
-       << builder->GetDirectLevels() << " direct levels; " << builder->GetPartitionStrategy()->GetSettings() << "; "
-       << builder->GetSimplifier()->GetSettings();
+       << "; " << !builder->GetMakeNormals() << builder->GetKeepFarOutliers() << "; ids " << builder->GetInputIds()
+       << (builder->GetInputPointIds() ? " and of points" : "") << (builder->GetExactPoints() ? " exact" : "")
+       << (builder->GetCertifyNormals() ? " normals" : "") << "; " << builder->GetDirectLevels() << " direct levels; "
+       << builder->GetPartitionStrategy()->GetSettings() << "; " << builder->GetSimplifier()->GetSettings();
   for (std::size_t i = 0; !this->KeepAllArrays && i < this->Implementation->Arrays.size(); ++i)
   {
     text << "; " << this->Implementation->Arrays[i];
@@ -383,7 +383,7 @@ bool vtkMultiTriangulationFileBuilder::WriteFile(
   this->Implementation->UsesFolder = workspace.GetStore() != nullptr;
   vtkMTFileSink sink(
     this->OutputFileName, static_cast<vtkMTFileSink::CompressionType>(this->Compression), workspace.GetStore());
-  vtkMTModelSink model(sink, this->Report->Input, this->KeepIds, this->Implementation->Identity);
+  vtkMTModelSink model(sink, this->Report->Input, this->Implementation->Identity);
   builder->AbortExecuteOff();
   if (builder->Build(input, model))
   {

@@ -154,10 +154,20 @@ public:
   ///@}
 
   ///@{
-  /// Whether the input's cell ids are kept, by which picking finds the input's cells. Default on.
-  vtkSetMacro(KeepIds, bool);
-  vtkGetMacro(KeepIds, bool);
-  vtkBooleanMacro(KeepIds, bool);
+  /// Which triangles keep the input's cell ids, by which picking finds the input's cells: none, those of the finest
+  /// level (the default) or all, as vtkMultiTriangulationBuilder::InputIdsType counts them. Clamped.
+  void SetInputIds(int ids);
+  int GetInputIds() const;
+  void SetInputIdsToNone() { this->SetInputIds(0); }
+  void SetInputIdsToFinest() { this->SetInputIds(1); }
+  void SetInputIdsToAll() { this->SetInputIds(2); }
+  ///@}
+
+  ///@{
+  /// Whether points of the finest level keep the input's point ids. Default off.
+  void SetInputPointIds(bool on);
+  bool GetInputPointIds() const;
+  vtkBooleanMacro(InputPointIds, bool);
   ///@}
 
   ///@{
@@ -346,7 +356,6 @@ private:
 
   std::string OutputFileName;
   bool KeepAllArrays = true;
-  bool KeepIds = true;
   int LatticeBits = 24;
   double Precision = 0.0;
   int Compression = FastCompression;

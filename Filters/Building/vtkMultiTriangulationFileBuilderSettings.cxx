@@ -227,6 +227,26 @@ bool vtkMultiTriangulationFileBuilder::GetKeepFarOutliers() const
   return this->Implementation->Builder->GetKeepFarOutliers();
 }
 
+void vtkMultiTriangulationFileBuilder::SetInputIds(int ids)
+{
+  this->Implementation->Builder->SetInputIds(ids);
+}
+
+int vtkMultiTriangulationFileBuilder::GetInputIds() const
+{
+  return this->Implementation->Builder->GetInputIds();
+}
+
+void vtkMultiTriangulationFileBuilder::SetInputPointIds(bool on)
+{
+  this->Implementation->Builder->SetInputPointIds(on);
+}
+
+bool vtkMultiTriangulationFileBuilder::GetInputPointIds() const
+{
+  return this->Implementation->Builder->GetInputPointIds();
+}
+
 void vtkMultiTriangulationFileBuilder::SetExactPoints(bool on)
 {
   this->Implementation->Builder->SetExactPoints(on);
@@ -355,7 +375,6 @@ void vtkMultiTriangulationFileBuilder::PrintSelf(ostream& os, vtkIndent indent)
   {
     print("ArrayName", name);
   }
-  print("KeepIds", this->KeepIds ? "on" : "off");
   print("LatticeBits", this->LatticeBits);
   print("Precision", this->Precision);
   print("Compression", this->Compression);

@@ -77,6 +77,12 @@ void Interpolate(const unsigned char* column, const std::array<std::uint32_t, 3>
   }
 }
 
+// Made normals are made again; until then points have those of the points that they come from.
+bool IsTakenFromPlaces(const vtkMTArrayInfo& info)
+{
+  return !info.IsFinestOnly() && info.Role != vtkMTArrayInfo::MadeNormals;
+}
+
 class PointTransfer
 {
 public:
@@ -96,7 +102,7 @@ public:
     {
       const Hit& hit = this->Hits[this->Simplification.WedgePoints[w]];
       unsigned char* output = to.data() + w * size;
-      if (hit.Triangle == Hit::None)
+      if (hit.Triangle == Hit::None || !IsTakenFromPlaces(info))
       {
         std::memcpy(output, from.data() + this->Simplification.WedgeOrigin[w] * size, size);
       }
@@ -143,7 +149,7 @@ public:
 
   static bool IsFor(const vtkMTArrayInfo& info)
   {
-    return info.Resampling == vtkMTArrayInfo::Interpolate && info.Role != vtkMTArrayInfo::ExactPoints &&
+    return info.Resampling == vtkMTArrayInfo::Interpolate && !info.IsFinestOnly() &&
       info.Attribute != vtkDataSetAttributes::TCOORDS;
   }
 
@@ -374,6 +380,16 @@ private:
   const vtkMTSurface& Fragment;
   vtkMTTriangleTree Tree;
 };
+
+// Values of triangles.
+void TakeNearest(const vtkMTColumn& from, std::size_t size, const std::vector<std::uint32_t>& nearest, vtkMTColumn& to)
+{
+  to.resize(nearest.size() * size);
+  for (std::size_t t = 0; t < nearest.size(); ++t)
+  {
+    std::memcpy(to.data() + t * size, from.data() + nearest[t] * size, size);
+  }
+}
 }
 
 void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTArrayInfo>& arrays, vtkMTPatch& fragment)
@@ -382,21 +398,25 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
   Locator locator(meshes);
   fragment.PointColumns.assign(floor.PointColumns.size(), {});
   fragment.CellColumns.assign(floor.CellColumns.size(), {});
-  std::vector<Hit> hits;
-  if (!floor.PointColumns.empty())
+  // Looking for places takes most of the time, and many meshes have nothing but what follows from the triangles.
+  const auto isSomeOf = [&](vtkMTArrayInfo::AssociationType association)
   {
-    hits = locator.LocateMovedPoints();
-  }
+    return std::any_of(arrays.begin(), arrays.end(),
+      [&](const vtkMTArrayInfo& info) { return info.Association == association && IsTakenFromPlaces(info); });
+  };
+  const std::vector<Hit> hits =
+    isSomeOf(vtkMTArrayInfo::Point) ? locator.LocateMovedPoints() : std::vector<Hit>(fragment.Points.size());
+  const std::vector<std::uint32_t> nearest =
+    isSomeOf(vtkMTArrayInfo::Cell) ? locator.LocateTriangles() : std::vector<std::uint32_t>();
   const PointTransfer transfer(floor, hits, meshes.Simplification);
   PointFit fit(meshes, fragment.Ids.size());
-  const std::vector<std::uint32_t> nearest = locator.LocateTriangles();
   std::size_t pointArray = 0;
   std::size_t cellArray = 0;
   for (const vtkMTArrayInfo& info : arrays)
   {
     if (info.Association == vtkMTArrayInfo::Point)
     {
-      if (info.Role != vtkMTArrayInfo::ExactPoints) // which only level 0 has
+      if (!info.IsFinestOnly())
       {
         transfer.Run(info, floor.PointColumns[pointArray], fragment.PointColumns[pointArray]);
       }
@@ -407,12 +427,9 @@ void vtkMTAttributeTransfer::Run(const Meshes& meshes, const std::vector<vtkMTAr
       ++pointArray;
       continue;
     }
-    const std::size_t size = info.GetTupleSize();
-    vtkMTColumn& to = fragment.CellColumns[cellArray];
-    to.resize(nearest.size() * size);
-    for (std::size_t t = 0; t < nearest.size(); ++t)
+    if (!info.IsFinestOnly())
     {
-      std::memcpy(to.data() + t * size, floor.CellColumns[cellArray].data() + nearest[t] * size, size);
+      TakeNearest(floor.CellColumns[cellArray], info.GetTupleSize(), nearest, fragment.CellColumns[cellArray]);
     }
     ++cellArray;
   }

@@ -12,6 +12,8 @@
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTWorkSettings.h"
 
+#include "vtkType.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -30,6 +32,15 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   int NormalBits = 12;        ///< of each coordinate of made normals (vtkMTMadeNormals)
   bool KeepFarOutliers = false;
   bool ExactPoints = false;
+  /// Which patches have the input's cell ids.
+  enum class Ids
+  {
+    None,
+    Finest,
+    All
+  };
+  Ids InputIds = Ids::Finest;
+  bool InputPointIds = false; ///< whether those of level 0 have the input's point ids
   bool CertifyNormals = false;
   int DirectLevels = 5; ///< how far below a fragment the mesh is that its errors are held against; below 2: none
   std::vector<std::string> LabelArrays;     ///< names of arrays that are labels, whatever their type
@@ -72,6 +83,28 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
       found.push_back(static_cast<std::size_t>(array - arrays.begin()));
     }
     return found;
+  }
+  /// Appends what is kept of the input's ids: those of cells, then those of points.
+  void AddIdArrays(std::vector<vtkMTArrayInfo>& arrays) const
+  {
+    vtkMTArrayInfo info;
+    info.Type = VTK_ID_TYPE;
+    info.Resampling = vtkMTArrayInfo::Nearest;
+    for (const vtkMTArrayInfo::RoleType role : { vtkMTArrayInfo::InputCellIds, vtkMTArrayInfo::InputPointIds })
+    {
+      const bool ofCells = role == vtkMTArrayInfo::InputCellIds;
+      info.Name = ofCells ? "vtkMTInputCellIds" : "vtkMTInputPointIds";
+      info.Association = ofCells ? vtkMTArrayInfo::Cell : vtkMTArrayInfo::Point;
+      info.Role = role;
+      if (!ofCells || this->InputIds == Ids::Finest)
+      {
+        info.SetFinestOnly();
+      }
+      if (ofCells ? this->InputIds != Ids::None : this->InputPointIds)
+      {
+        arrays.push_back(info);
+      }
+    }
   }
   /// And of Psi_(i+1) on M_i: of a floor.
   double GetFloorTarget() const { return this->Reduction * this->GetRegionTarget(); }

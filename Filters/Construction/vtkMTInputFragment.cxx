@@ -6,6 +6,7 @@
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTRelease.h"
 #include "vtkMTSharedIds.h"
+#include "vtkType.h"
 
 #include <algorithm>
 #include <cstring>
@@ -25,6 +26,13 @@ std::vector<Record> ReadAll(const std::vector<unsigned char>& bytes, std::size_t
     std::memcpy(&records[i], bytes.data() + i * size, sizeof(Record));
   }
   return records;
+}
+
+void AppendId(std::int64_t id, vtkMTColumn& column)
+{
+  const auto value = static_cast<vtkIdType>(id);
+  const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
+  column.insert(column.end(), bytes, bytes + sizeof(value));
 }
 
 // Points and wedges: shared points first, then in order of identity; wedges in order of their points. identities: of
@@ -65,6 +73,10 @@ std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const st
         mesh.PointColumns[c].insert(mesh.PointColumns[c].end(), values, values + layout.PointTupleSizes[c]);
         values += layout.PointTupleSizes[c];
       }
+      if (layout.HasPointIds)
+      {
+        AppendId(point.Wedge, mesh.PointColumns.back());
+      }
     }
     wedgeOf[order[i]] = static_cast<std::uint32_t>(mesh.WedgePoints.size() - 1);
     last = order[i];
@@ -80,14 +92,13 @@ std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const st
 void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& records, const Layout& layout)
 {
   const std::vector<Point> points = ReadAll<Point>(records.Points, layout.PointSize);
-  this->Mesh.PointColumns.resize(layout.PointTupleSizes.size());
+  this->Mesh.PointColumns.resize(layout.PointTupleSizes.size() + (layout.HasPointIds ? 1 : 0));
   std::vector<std::uint32_t> identities;
   const std::vector<std::uint32_t> wedgeOf = MakeWedges(points, records.Points, layout, this->Mesh, identities);
   vtkMTRelease(records.Points);
 
   const std::vector<Triangle> triangles = ReadAll<Triangle>(records.Triangles, layout.TriangleSize);
-  this->Mesh.CellColumns.resize(layout.CellTupleSizes.size() + 1);
-  vtkMTColumn& ids = this->Mesh.CellColumns.back();
+  this->Mesh.CellColumns.resize(layout.CellTupleSizes.size() + (layout.HasCellIds ? 1 : 0));
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     vtkMTTriangle wedges;
@@ -106,8 +117,10 @@ void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& 
       this->Mesh.CellColumns[c].insert(this->Mesh.CellColumns[c].end(), values, values + layout.CellTupleSizes[c]);
       values += layout.CellTupleSizes[c];
     }
-    const auto* id = reinterpret_cast<const unsigned char*>(&triangles[t].CellId);
-    ids.insert(ids.end(), id, id + sizeof(triangles[t].CellId));
+    if (layout.HasCellIds)
+    {
+      AppendId(triangles[t].CellId, this->Mesh.CellColumns.back());
+    }
   }
   vtkMTRelease(records.Triangles);
   this->Orientation.Run(this->Mesh, this->Numbers);

@@ -37,6 +37,8 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
     std::size_t PointSize;
     std::vector<std::size_t> PointTupleSizes;
     std::vector<std::size_t> CellTupleSizes;
+    bool HasCellIds;  ///< whether the mesh gets a column of them behind those of the cells
+    bool HasPointIds; ///< likewise behind those of the points: the input's point that stands for the wedge
     bool MakeNormals;
   };
 

@@ -46,7 +46,8 @@ bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSp
 {
   vtkMTSequenceState& state = this->State;
   vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(),
-    input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(), this->MakesNormals };
+    input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(),
+    this->Settings.InputIds != vtkMTBuildSettings::Ids::None, this->Settings.InputPointIds, this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
   {
     if (array.Role == vtkMTArrayInfo::ExactPoints)

@@ -39,17 +39,6 @@ void Count(std::map<std::string, std::int64_t>& report, const char* reason, std:
   }
 }
 
-vtkMTArrayInfo MakeCellIdInfo()
-{
-  vtkMTArrayInfo info;
-  info.Name = "vtkMTInputCellIds";
-  info.Type = VTK_ID_TYPE;
-  info.Association = vtkMTArrayInfo::Cell;
-  info.Resampling = vtkMTArrayInfo::Nearest;
-  info.Role = vtkMTArrayInfo::InputCellIds;
-  return info;
-}
-
 vtkMTArrayInfo MakeNormalInfo(const std::vector<vtkMTArrayInfo>& others, int bits)
 {
   vtkMTArrayInfo info;
@@ -215,7 +204,7 @@ private:
       this->Exact = vtkMTExactPoints::MakeInfo(isSingle, arrays);
       arrays.push_back(this->Exact);
     }
-    arrays.push_back(MakeCellIdInfo());
+    this->Settings.AddIdArrays(arrays);
     if (this->MakesNormals)
     {
       arrays.push_back(MakeNormalInfo(arrays, this->Settings.NormalBits));

@@ -34,8 +34,9 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
 {
   const double triangles = static_cast<double>(input.GetNumberOfTriangles());
   const double points = static_cast<double>(input.GetNumberOfPoints());
-  double pointValues = 12.0 + (settings.ExactPoints ? 24.0 : 0.0); // normals and residuals
-  double cellValues = 20.0;                                        // ids and deviations
+  // Normals, residuals and ids.
+  double pointValues = 12.0 + (settings.ExactPoints ? 24.0 : 0.0) + (settings.InputPointIds ? 8.0 : 0.0);
+  double cellValues = 20.0; // ids and deviations
   for (const vtkMTArrayInfo& array : input.GetArrays())
   {
     (array.Association == vtkMTArrayInfo::Point ? pointValues : cellValues) +=

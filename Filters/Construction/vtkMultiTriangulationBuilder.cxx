@@ -249,6 +249,8 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.NormalBits = this->NormalBits;
   settings.KeepFarOutliers = this->KeepFarOutliers;
   settings.ExactPoints = this->ExactPoints;
+  settings.InputIds = static_cast<vtkMTBuildSettings::Ids>(this->InputIds);
+  settings.InputPointIds = this->InputPointIds;
   settings.CertifyNormals = this->CertifyNormals;
   settings.DirectLevels = this->DirectLevels;
   settings.CertifiedArrays = this->CertifiedArrays;
@@ -354,6 +356,7 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
           std::to_string(this->NormalBits) + " bits of normals"
                        : "not made") +
     (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") +
+    ", input ids " + std::to_string(this->InputIds) + (this->InputPointIds ? " and of points" : "") +
     (this->CertifyNormals ? ", normals certified" : "") + ", " + std::to_string(this->DirectLevels) +
     " direct levels; " + this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
 }
@@ -425,6 +428,8 @@ void vtkMultiTriangulationBuilder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HasCheckpoint: " << (this->HasCheckpoint ? "yes" : "no") << "\n";
   os << indent << "KeepFarOutliers: " << (this->KeepFarOutliers ? "on" : "off") << "\n";
   os << indent << "ExactPoints: " << (this->ExactPoints ? "on" : "off") << "\n";
+  os << indent << "InputIds: " << this->InputIds << "\n";
+  os << indent << "InputPointIds: " << (this->InputPointIds ? "on" : "off") << "\n";
   os << indent << "DirectLevels: " << this->DirectLevels << "\n";
   os << indent << "CertifyNormals: " << (this->CertifyNormals ? "on" : "off") << "\n";
   for (const std::string& name : this->CertifiedArrays)

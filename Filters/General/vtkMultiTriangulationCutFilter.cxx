@@ -5,6 +5,7 @@
 #include "vtkMTArraySelection.h"
 #include "vtkMTCompatibility.h"
 #include "vtkMTCut.h"
+#include "vtkMTCutIds.h"
 #include "vtkMTCutMesh.h"
 #include "vtkMTFunctionSigns.h"
 #include "vtkMTGraph.h"
@@ -73,6 +74,7 @@ void vtkMultiTriangulationCutFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "NumberOfPatches: " << this->NumberOfPatches << "\n";
   os << indent << "GenerateDistances: " << this->GenerateDistances << "\n";
+  os << indent << "FindInputIds: " << this->FindInputIds << "\n";
   os << indent << "CutError: " << this->CutError << "\n";
   os << indent << "DistanceToInput: " << this->DistanceToInput << "\n";
   os << indent << "DistanceFromInput: " << this->DistanceFromInput << "\n";
@@ -404,6 +406,14 @@ void vtkMultiTriangulationCutFilter::Describe(const Model& model, const vtkMTCut
 }
 
 //------------------------------------------------------------------------------
+// The second half of the work.
+static bool FillIds(const vtkMTPatchSource& source, const vtkMTCutMesh& mesh, vtkPolyData* output, std::string& error)
+{
+  const auto progress = [&mesh](double fraction) { return mesh.Progress(1.0 + fraction); };
+  return vtkMTCutIds::Fill(source, mesh.Arcs, mesh.Placement, output, progress, error);
+}
+
+//------------------------------------------------------------------------------
 int vtkMultiTriangulationCutFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -442,11 +452,11 @@ int vtkMultiTriangulationCutFilter::RequestData(
   mesh.GenerateDistances = this->GenerateDistances;
   mesh.Progress = [this](double fraction)
   {
-    this->UpdateProgress(fraction);
+    this->UpdateProgress(this->FindInputIds ? 0.5 * fraction : fraction);
     return !vtkMTIsAborted(this);
   };
   std::string error;
-  if (!mesh.Make(*source, output, error))
+  if (!mesh.Make(*source, output, error) || (this->FindInputIds && !FillIds(*source, mesh, output, error)))
   {
     output->Initialize();
     if (!error.empty())

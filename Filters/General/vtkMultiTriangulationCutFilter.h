@@ -33,6 +33,10 @@
  * All lengths, the region and the camera are in the coordinates of the input object: what
  * vtkMultiTriangulationTransform has done to it is taken into account.
  *
+ * The input's ids: where the model keeps them on its finest level alone, as builders make them, the arrays
+ * vtkMTInputCellIds and vtkMTInputPointIds are -1 for triangles and points of coarser patches, unless FindInputIds has
+ * the nearest ones looked for.
+ *
  * The filter reports progress and can be aborted; the output is then empty. Errors: vtkErrorMacro, GetErrorMessage and
  * an error code: vtkErrorCode::UserError for what cannot be given (fewer triangles than the coarsest cut, a smaller
  * error than the finest level's, a level that is not there, a view without size), FileFormatError for patches that
@@ -165,6 +169,17 @@ public:
 
   ///@{
   /**
+   * Whether the input's ids that coarse triangles and points lack are looked for: of the cell that is nearest to a
+   * triangle's barycentre, among those that face the same way where there are any, and of the point that is nearest to
+   * a point. For that the finest patches below the cut are read. Off, the default: they are -1.
+   */
+  vtkSetMacro(FindInputIds, bool);
+  vtkGetMacro(FindInputIds, bool);
+  vtkBooleanMacro(FindInputIds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Figures of the cut that the output is; 0 when there is none. In the units of the input object: no point of the cut
    * is farther from the input than DistanceToInput, none of the input farther from the cut than DistanceFromInput;
    * CutError is the larger one. They are 0 where the cut is the input's own coordinates (Exact), bit for bit.
@@ -222,6 +237,7 @@ private:
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberOfPatches = 0;
   bool GenerateDistances = false;
+  bool FindInputIds = false;
   double CutError = 0.0;
   double DistanceToInput = 0.0;
   double DistanceFromInput = 0.0;

@@ -15,7 +15,8 @@
  * two points, which run so that the negative side is on their left; vtkStripper joins them.
  *
  * Point arrays are interpolated along the edges; ids and labels come from the nearer end, normals are scaled to length
- * 1, global ids are left out. Cell arrays are those of the triangle that a line lies in.
+ * 1, global ids are left out. Cell arrays are those of the triangle that a line lies in; the input's ids are -1 on
+ * triangles of coarser levels where the model keeps them on the finest level alone.
  *
  * Every point of a section is within SectionError of the input surface. That bounds the distance of the surfaces; how
  * far the lines are from those of the input depends on the angle at which the function meets the surface, too.

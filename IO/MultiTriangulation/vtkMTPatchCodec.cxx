@@ -132,7 +132,7 @@ bool AreColumnsRight(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>&
     const std::vector<vtkMTColumn>& columns = ofPoints ? patch.PointColumns : patch.CellColumns;
     const std::size_t column = next[ofPoints ? 0 : 1]++;
     const std::size_t tuples = ofPoints ? patch.GetNumberOfWedges() : patch.Triangles.size();
-    const bool mayBeEmpty = array.Role == vtkMTArrayInfo::ExactPoints;
+    const bool mayBeEmpty = array.IsFinestOnly();
     if (column >= columns.size() ||
       (columns[column].size() != tuples * array.GetTupleSize() && !(mayBeEmpty && columns[column].empty())))
     {
@@ -212,10 +212,11 @@ bool DecodeGeometry(const SectionRecord& section, const unsigned char* data, con
                                                    section.StoredSize, arc, traversal, patch, error);
 }
 
-bool MayBeMissing(const vtkMTArc& arc, const vtkMTArrayInfo& array)
+bool MayBeMissing(const vtkMTGraph& graph, std::uint32_t arc, const vtkMTArrayInfo& array)
 {
-  return array.Role == vtkMTArrayInfo::ExactPoints ||
-    (array.Association == vtkMTArrayInfo::Point ? arc.Wedges : arc.Triangles) == 0;
+  const vtkMTArc& record = graph.Arcs[arc];
+  return (array.IsFinestOnly() && (array.Role == vtkMTArrayInfo::ExactPoints || !graph.IsFinest(arc))) ||
+    (array.Association == vtkMTArrayInfo::Point ? record.Wedges : record.Triangles) == 0;
 }
 
 bool DecodeColumn(const SectionRecord& section, const unsigned char* data, const vtkMTArc& arc,

@@ -38,7 +38,7 @@ bool DecodeGeometry(const vtkMTFileFormat::SectionRecord& section, const unsigne
   vtkMTDecodeScratch& traversal, vtkMTPatch& patch, std::string& error);
 
 /// Whether an array of the arc's patch may have no section: it has no values there.
-bool MayBeMissing(const vtkMTArc& arc, const vtkMTArrayInfo& array);
+bool MayBeMissing(const vtkMTGraph& graph, std::uint32_t arc, const vtkMTArrayInfo& array);
 
 /// An array's column from its section's bytes, after the geometry of the same patch, which it may be one of; Slack
 /// bytes behind them can be read, too.

@@ -15,8 +15,16 @@ using vtkMTValidateExpect::Expect;
 using vtkMTValidateExpect::Text;
 
 //------------------------------------------------------------------------------
-void CheckColumns(
-  const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays, const std::string& name, Result& result)
+// Which columns arrays of the finest level alone may have: in a patch of that level, in another one, in a mesh.
+enum class Place
+{
+  Finest,
+  Coarse,
+  Anywhere
+};
+
+void CheckColumns(const vtkMTPatch& mesh, const std::vector<vtkMTArrayInfo>& arrays, Place place,
+  const std::string& name, Result& result)
 {
   std::size_t next[2] = { 0, 0 };
   for (const vtkMTArrayInfo& array : arrays)
@@ -26,9 +34,13 @@ void CheckColumns(
     const std::size_t tuples = cell ? mesh.Triangles.size() : mesh.GetNumberOfWedges();
     const std::size_t index = next[cell]++;
     const std::size_t size = index < columns.size() ? columns[index].size() : 0;
-    const bool mayBeEmpty = array.Role == vtkMTArrayInfo::ExactPoints && size == 0;
-    Expect(result, "patch", array.GetTupleSize() > 0 && (mayBeEmpty || size == tuples * array.GetTupleSize()), name,
+    const bool mayBeEmpty =
+      array.IsFinestOnly() && (place != Place::Finest || array.Role == vtkMTArrayInfo::ExactPoints);
+    Expect(result, "patch",
+      array.GetTupleSize() > 0 && ((mayBeEmpty && size == 0) || size == tuples * array.GetTupleSize()), name,
       ": the array ", array.Name, " has ", size, " bytes for ", tuples, " tuples of ", array.GetTupleSize());
+    Expect(result, "patch", !array.IsFinestOnly() || place != Place::Coarse || size == 0, name, ": the array ",
+      array.Name, ", which only the finest level has, has ", size, " bytes");
   }
   Expect(result, "patch", mesh.PointColumns.size() == next[0] && mesh.CellColumns.size() == next[1], name, " has ",
     mesh.PointColumns.size(), " point and ", mesh.CellColumns.size(), " cell arrays, the model ", next[0], " and ",
@@ -115,7 +127,7 @@ vtkMTValidate::Result vtkMTValidate::Mesh(const vtkMTPatch& mesh, const std::vec
 {
   Result result;
   CheckTriangles(mesh, "mesh", result);
-  CheckColumns(mesh, arrays, "mesh", result);
+  CheckColumns(mesh, arrays, Place::Anywhere, "mesh", result);
   return result;
 }
 
@@ -125,7 +137,7 @@ vtkMTValidate::Result vtkMTValidate::Patch(const vtkMTGraph& graph, std::uint32_
   Result result;
   const std::string name = Text("patch ", arc);
   CheckIds(patch, name, result);
-  CheckColumns(patch, graph.Arrays, name, result);
+  CheckColumns(patch, graph.Arrays, graph.IsFinest(arc) ? Place::Finest : Place::Coarse, name, result);
   switch (graph.Arcs[arc].Kind)
   {
     case vtkMTPatchKind::Triangles:

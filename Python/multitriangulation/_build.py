@@ -22,6 +22,7 @@ from ._progress import Progress
 
 _UNITS = {"": 1, "k": 10**3, "m": 10**6, "g": 10**9, "t": 10**12, "ki": 2**10, "mi": 2**20, "gi": 2**30, "ti": 2**40}
 _COMPRESSIONS = ("none", "fast", "small")
+_INPUT_IDS = ("none", "finest", "all")
 _SIMPLIFIERS = {"fast": "FAST", "best": "BEST", "lindstrom-turk": "LINDSTROM_TURK", "garland-heckbert": "GARLAND_HECKBERT"}
 
 
@@ -56,6 +57,13 @@ def _get_partition(name):
 
 def _get_feature_angle(angle):
     return {"auto": -1.0, "none": 180.0}.get(angle, angle)
+
+
+def _get_input_ids(name):
+    name = {True: "finest", False: "none"}.get(name, name)
+    if name not in _INPUT_IDS:
+        raise ValueError(f"ids={name!r} is none of {', '.join(_INPUT_IDS)}")
+    return _INPUT_IDS.index(name)
 
 
 def _get_compression(name):
@@ -104,7 +112,8 @@ _SETTINGS = {
     "labels": _add_all("AddLabelArrayName"),
     "values": _add_all("AddValueArrayName"),
     "certify_values": _add_all("AddCertifiedArrayName"),
-    "ids": _set("SetKeepIds"),
+    "ids": _set("SetInputIds", _get_input_ids),
+    "point_ids": _set("SetInputPointIds"),
     "exact": _set("SetExactPoints"),
     "certify_normals": _set("SetCertifyNormals"),
     "direct_levels": _set("SetDirectLevels"),
@@ -116,7 +125,8 @@ _SETTINGS = {
 # Those that mean something for a mesh that is in memory.
 _OF_MESHES = {
     "partition", "simplifier", "memory", "patch_triangles", "lattice_bits", "threads", "feature_angle", "normal_bits", "labels",
-    "values", "exact", "certify_normals", "certify_values", "direct_levels", "keep_far_outliers", "normals",
+    "values", "ids", "point_ids", "exact", "certify_normals", "certify_values", "direct_levels", "keep_far_outliers",
+    "normals",
 }
 
 

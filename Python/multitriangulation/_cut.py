@@ -62,6 +62,7 @@ def cut(
     outside_error: float | None = None,
     arrays: Iterable[str] | None = None,
     distances: bool = False,
+    input_ids: bool = False,
 ) -> Cut:
     """
     A cut of a model as one conforming, welded triangle mesh: a vtkPolyData with numpy arrays (see Cut).
@@ -78,6 +79,8 @@ def cut(
     arrays: the names of the arrays to have; None: all.
     distances: whether to have two cell arrays more, "DistanceToInput" and "DistanceFromInput": what is certified of the
     patch that a triangle is of (input's units).
+    input_ids: whether the input's ids, which coarse triangles and points do not have (-1), are looked for: those of the
+    nearest cell and point.
 
     MultiTriangulationError where there is no such cut, with the reason.
     """
@@ -94,6 +97,7 @@ def cut(
     if arrays is not None:
         _select(cutter, model, {arrays} if isinstance(arrays, str) else set(arrays))
     cutter.SetGenerateDistances(bool(distances))
+    cutter.SetFindInputIds(bool(input_ids))
     with Listener(cutter) as listener:
         cutter.Update()
     if cutter.GetErrorMessage():

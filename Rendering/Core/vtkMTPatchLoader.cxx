@@ -491,7 +491,8 @@ std::size_t vtkMTPatchLoader::GetPatchBytes(
     record.Wedges * sizeof(std::uint32_t) + record.Triangles * sizeof(vtkMTTriangle);
   for (std::size_t i = 0; i < graph.Arrays.size(); ++i)
   {
-    if (arrays.empty() || (i < arrays.size() && arrays[i]))
+    const bool isWanted = arrays.empty() || (i < arrays.size() && arrays[i]);
+    if (isWanted && (graph.IsFinest(arc) || !graph.Arrays[i].IsFinestOnly()))
     {
       const std::size_t tuples =
         graph.Arrays[i].Association == vtkMTArrayInfo::Point ? record.Wedges : record.Triangles;

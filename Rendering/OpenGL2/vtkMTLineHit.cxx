@@ -3,6 +3,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkMTGraph.h"
+#include "vtkMTInputIdFinder.h"
 #include "vtkMTPatch.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTPatchSource.h"
@@ -128,11 +129,25 @@ bool vtkMTLineHit::Find(const vtkMTPatchSource& source, const std::vector<std::u
       this->FindInPatch(source, entry.second, patch, begin, way);
     }
   }
-  if (this->Found)
+  if (!this->Found)
+  {
+    return false;
+  }
+  const Place x{ begin[0] + this->T * way[0], begin[1] + this->T * way[1], begin[2] + this->T * way[2] };
+  const int ids = vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
+  if (ids >= 0 && graph.Arrays[ids].IsFinestOnly() && !graph.IsFinest(this->Arc))
+  {
+    this->FindNearestInput(source, vtkMTArrayInfo::InputCellIds, x, resident, this->InputCell, error);
+  }
+  else if (ids >= 0)
   {
     this->FindInputCell(source, error);
   }
-  return this->Found;
+  if (vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputPointIds) >= 0)
+  {
+    this->FindNearestInput(source, vtkMTArrayInfo::InputPointIds, x, resident, this->InputPoint, error);
+  }
+  return true;
 }
 
 void vtkMTLineHit::FindInPatch(const vtkMTPatchSource& source, std::uint32_t arc,
@@ -165,10 +180,6 @@ void vtkMTLineHit::FindInputCell(const vtkMTPatchSource& source, std::string& er
 {
   const vtkMTGraph& graph = source.GetGraph();
   const int ids = vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
-  if (ids < 0)
-  {
-    return;
-  }
   if (vtkMTPatchAttributes::GetColumn(graph, ids, *this->Patch).empty())
   {
     this->Patch = Read(source, this->Arc, error);
@@ -178,4 +189,24 @@ void vtkMTLineHit::FindInputCell(const vtkMTPatchSource& source, std::string& er
     const auto values = vtkMTPatchAttributes::GetArray(graph, ids, *this->Patch);
     this->InputCell = static_cast<vtkIdType>(values->GetComponent(static_cast<vtkIdType>(this->Index), 0));
   }
+}
+
+// Below a coarse patch. The id stays what it is where none can be found.
+void vtkMTLineHit::FindNearestInput(const vtkMTPatchSource& source, vtkMTArrayInfo::RoleType role, const Place& x,
+  const Resident& resident, vtkIdType& id, std::string& error) const
+{
+  vtkMTInputIdFinder finder(source, role);
+  finder.SetResident(resident);
+  vtkMTInputIdFinder::Query query;
+  query.Arc = this->Arc;
+  query.X = x;
+  query.Direction =
+    Cross(Subtract(this->Triangle[1], this->Triangle[0]), Subtract(this->Triangle[2], this->Triangle[0]));
+  std::vector<vtkIdType> ids;
+  std::string reason;
+  if (finder.Find({ query }, ids, reason))
+  {
+    id = ids[0];
+  }
+  error = reason.empty() ? error : reason;
 }

@@ -6,6 +6,7 @@
 #ifndef vtkMTLineHit_h
 #define vtkMTLineHit_h
 
+#include "vtkMTArrayInfo.h"
 #include "vtkType.h"
 
 #include <array>
@@ -27,6 +28,7 @@ struct vtkMTLineHit
   std::array<double, 2> Weights{}; ///< of the triangle's second and third corner
   std::array<Place, 3> Triangle{}; ///< model units
   vtkIdType InputCell = 0;         ///< 0 where the model keeps no ids
+  vtkIdType InputPoint = -1;       ///< the nearest one; -1 where the model keeps no ids of points
 
   /// A patch that is in memory, with whatever arrays, or null.
   using Resident = std::function<std::shared_ptr<const vtkMTPatch>(std::uint32_t arc)>;
@@ -49,6 +51,8 @@ private:
   void FindInPatch(const vtkMTPatchSource& source, std::uint32_t arc, const std::shared_ptr<const vtkMTPatch>& patch,
     const Place& begin, const Place& way);
   void FindInputCell(const vtkMTPatchSource& source, std::string& error);
+  void FindNearestInput(const vtkMTPatchSource& source, vtkMTArrayInfo::RoleType role, const Place& x,
+    const Resident& resident, vtkIdType& id, std::string& error) const;
 };
 
 #endif

@@ -54,6 +54,15 @@ vtkSmartPointer<vtkDataArray> vtkMTPatchAttributes::GetArray(
   auto result = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(info.Type));
   result->SetName(info.Name.c_str());
   result->SetNumberOfComponents(info.Components);
+  const std::size_t tuples =
+    info.Association == vtkMTArrayInfo::Point ? patch.GetNumberOfWedges() : patch.Triangles.size();
+  if (column.empty() && info.IsFinestOnly() && tuples > 0)
+  {
+    const vtkMTColumn unknown = info.MakeUnknown(tuples);
+    result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    std::copy(unknown.begin(), unknown.end(), static_cast<unsigned char*>(result->GetVoidPointer(0)));
+    return result;
+  }
   const auto values = static_cast<vtkIdType>(column.size() / info.GetTupleSize()) * info.Components;
   result->SetVoidArray(const_cast<unsigned char*>(column.data()), values, 1);
   return result;

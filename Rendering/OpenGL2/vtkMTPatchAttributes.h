@@ -33,7 +33,8 @@ struct vtkMTPatchAttributes
 
   /// The patch's column of the array.
   static const vtkMTColumn& GetColumn(const vtkMTGraph& graph, int array, const vtkMTPatch& patch);
-  /// The column as a VTK array that shares its memory, so it must not outlive the patch.
+  /// The column as a VTK array that shares its memory, so it must not outlive the patch; unknown values where only
+  /// patches of the finest level have any, and this is none.
   static vtkSmartPointer<vtkDataArray> GetArray(const vtkMTGraph& graph, int array, const vtkMTPatch& patch);
 
   /// Lattice integers, three per wedge.

@@ -53,6 +53,7 @@ int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const do
   double& t, double x[3], double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell)
 {
   this->DistanceToInput = this->DistanceFromInput = 0.0;
+  this->InputPointId = -1;
   auto* model = vtkMultiTriangulation::SafeDownCast(this->GetDataSet());
   if (!model || !model->GetSource() || model->GetNumberOfPoints() == 0)
   {
@@ -81,6 +82,7 @@ int vtkMultiTriangulationLocator::IntersectWithLine(const double p1[3], const do
   t = hit.T;
   subId = 0;
   cellId = hit.InputCell;
+  this->InputPointId = hit.InputPoint;
   for (int i = 0; i < 3; ++i)
   {
     x[i] = p1[i] + t * (p2[i] - p1[i]);

@@ -10,17 +10,21 @@
  *     picker->AddLocator(locator);
  *     picker->Pick(x, y, 0.0, renderer); // GetCellId() is a cell of the input mesh
  *
- * On a coarse triangle that is the id of the input cell nearest to it. Position and parametric coordinates are those of
- * the drawn triangle. GetPointId, and the normal where the model has point normals, come from the coarsest cut, whose
- * nearest points stand for the triangle's, because the picker looks them up in the mapper's input; so do not look up
- * GetCellId there. Where the model keeps no ids (no array of role InputCellIds), every cell id is 0.
+ * On a coarse triangle that is the id of the input cell nearest to the place that was picked, among those that face the
+ * same way where there are any (vtkMTInputIdFinder); of a model that keeps ids on all levels, that of the triangle.
+ * Position and parametric coordinates are those of the drawn triangle. GetPointId, and the normal where the model has
+ * point normals, come from the coarsest cut, whose nearest points stand for the triangle's, because the picker looks
+ * them up in the mapper's input; so do not look up GetCellId there; GetInputPointId is the input's nearest point. Where
+ * the model keeps no ids (no array of role InputCellIds), or they cannot be read, which is an error, every cell id is
+ * 0.
  *
  * The line is tested against the boxes of the drawn patches, and then, from the nearest box on, against their
  * triangles, in double precision. Patches that are in main memory are used as they are. Only where a drawn patch is on
  * the GPU alone, and the line meets its box before it meets anything else, is it read, by the calling thread and
  * without waiting for the loader; likewise the ids of the one patch that is hit, where the mapper does not keep ids
- * with it. So a pick takes no longer than reading the few patches of the current cut that lie under the cursor, nothing
- * finer is asked for, and no frame is made to wait. Neighbours share their points bit for bit, so there is no crack to
+ * with it, or the few patches of the finest level that can hold the input's nearest cell or point. So a pick takes no
+ * longer than reading these few patches, a few milliseconds, and no frame is made to wait. A model whose graph is still
+ * being read is waited for. Neighbours share their points bit for bit, so there is no crack to
  * fall through, and the picker's tolerance is not needed and not looked at.
  *
  * @sa vtkMultiTriangulationMapper vtkCellPicker
@@ -63,6 +67,10 @@ public:
   vtkGetMacro(DistanceFromInput, double);
   ///@}
 
+  /// Of the input's points the one nearest to the place that was picked last; -1 where the model keeps no ids of points
+  /// (vtkMultiTriangulationBuilder::SetInputPointIds), and when nothing has been hit.
+  vtkGetMacro(InputPointId, vtkIdType);
+
   ///@{
   /// There is nothing to build: the cut is another one in every frame.
   void BuildLocator() override {}
@@ -81,6 +89,7 @@ private:
   vtkSmartPointer<vtkMultiTriangulationMapper> Mapper;
   double DistanceToInput = 0.0;
   double DistanceFromInput = 0.0;
+  vtkIdType InputPointId = -1;
 };
 
 #endif

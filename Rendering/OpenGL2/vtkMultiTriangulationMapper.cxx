@@ -3,6 +3,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkMTCutIds.h"
 #include "vtkMTCutMesh.h"
 #include "vtkMTPatchAttributes.h"
 #include "vtkMTRendererView.h"
@@ -260,7 +261,7 @@ std::shared_ptr<const vtkMTPatch> vtkMultiTriangulationMapper::GetPatchInMemory(
 }
 
 //------------------------------------------------------------------------------
-bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
+bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output, bool findInputIds)
 {
   const vtkMTFrame& frame = this->Implementation->Frame;
   if (!frame.GetLast())
@@ -272,7 +273,8 @@ bool vtkMultiTriangulationMapper::GetCut(vtkPolyData* output)
   vtkMTCutMesh mesh;
   mesh.Arcs = frame.GetLast()->Cut.GetArcs();
   mesh.Placement = &this->Implementation->Placement;
-  if (!mesh.Make(*frame.GetSource(), output, error))
+  if (!mesh.Make(*frame.GetSource(), output, error) ||
+    (findInputIds && !vtkMTCutIds::Fill(*frame.GetSource(), mesh.Arcs, mesh.Placement, output, {}, error)))
   {
     vtkErrorMacro(<< error);
     return false;

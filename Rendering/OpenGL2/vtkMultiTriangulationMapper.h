@@ -34,8 +34,11 @@
  *
  * Picking: vtkHardwareSelector gives the input's cell ids where the model keeps them, and otherwise the place of the
  * triangle in the arena, which means nothing outside of it; for points, the values of the array that
- * SetPointIdArrayName names. Software pickers look at the coarsest cut; its cell data has the input's cell ids. With a
- * vtkMultiTriangulationLocator vtkCellPicker picks in what was drawn, and its cell ids are the input's.
+ * SetPointIdArrayName names, or the input's point ids. Where the finest level alone has ids, those of a coarse triangle
+ * or vertex are looked for below it, for all pixels together, by threads; the selector waits, the mapper tells
+ * progress, and what has not been found when AbortExecute is set, or cannot be read, is not selected. Software pickers
+ * look at the coarsest cut. With a vtkMultiTriangulationLocator vtkCellPicker picks in what was drawn, and its cell ids
+ * are the input's.
  *
  * @sa vtkMultiTriangulation vtkMultiTriangulationLocator vtkMTTargetCut
  */
@@ -355,8 +358,9 @@ public:
   ///@}
 
   /// The mesh of the cut of the last frame, welded, culled patches included, with all arrays. False, with an error
-  /// event, when nothing has been drawn yet or a patch cannot be read.
-  bool GetCut(vtkPolyData* output);
+  /// event, when nothing has been drawn yet or a patch cannot be read. findInputIds: whether the input's ids that
+  /// coarse triangles and points lack (-1) are looked for, as vtkMultiTriangulationCutFilter::SetFindInputIds has it.
+  bool GetCut(vtkPolyData* output, bool findInputIds = false);
 
   ///@{
   /// Of what was drawn in the last frame, in the units of the input object: no point of it is farther from the input

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkMultiTriangulationMapper: draw calls and picking.
+// vtkMultiTriangulationMapper: draw calls.
 #include "vtkActor.h"
-#include "vtkHardwareSelector.h"
 #include "vtkMTOpenGL.h"
 #include "vtkMTPalette.h"
-#include "vtkMTPatchAttributes.h"
-#include "vtkMTSelectionIds.h"
 #include "vtkMultiTriangulationMapper.h"
 #include "vtkMultiTriangulationMapperInternals.h"
 #include "vtkOpenGLRenderTimer.h"
@@ -18,20 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <vector>
-
-namespace
-{
-// The array whose values the selector's ids of points or cells are, or -1.
-int FindIds(const vtkMTGraph& graph, bool points, const char* pointIds, const char* cellIds)
-{
-  if (points)
-  {
-    return pointIds ? vtkMTPatchAttributes::FindArray(graph, pointIds, vtkMTArrayInfo::Point) : -1;
-  }
-  return cellIds ? vtkMTPatchAttributes::FindArray(graph, cellIds, vtkMTArrayInfo::Cell)
-                 : vtkMTPatchAttributes::FindRole(graph, vtkMTArrayInfo::InputCellIds);
-}
-}
 
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
@@ -159,67 +142,4 @@ void vtkMultiTriangulationMapper::RenderPieceFinish(vtkRenderer* renderer, vtkAc
   this->FrameTime =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Implementation->FrameStart).count();
   this->OverheadTime = this->FrameTime - this->Implementation->CallSeconds;
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor* actor)
-{
-  if (!this->HasPatches())
-  {
-    this->Superclass::UpdateMaximumPointCellIds(renderer, actor);
-    return;
-  }
-  // What the shader writes, and what is put in its place.
-  const Internals& self = *this->Implementation;
-  const vtkMTPatchArena& arena = self.Painter->GetArena();
-  const std::uint64_t triangles = arena.GetTriangleCapacity() * self.Painter->GetIndicesPerTriangle();
-  renderer->GetSelector()->UpdateMaximumPointId(static_cast<vtkIdType>(arena.GetVertexCapacity()));
-  renderer->GetSelector()->UpdateMaximumCellId(
-    static_cast<vtkIdType>(std::max(triangles, self.Graph().InputCounts.Triangles)));
-}
-
-//------------------------------------------------------------------------------
-void vtkMultiTriangulationMapper::ProcessSelectorPixelBuffers(
-  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
-{
-  if (!this->HasPatches())
-  {
-    this->Superclass::ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
-    return;
-  }
-  Internals& self = *this->Implementation;
-  const int pass = selector->GetCurrentPass();
-  const bool points = pass == vtkHardwareSelector::POINT_ID_LOW24 || pass == vtkHardwareSelector::POINT_ID_HIGH24;
-  const bool cells = pass == vtkHardwareSelector::CELL_ID_LOW24 || pass == vtkHardwareSelector::CELL_ID_HIGH24;
-  if (!this->PopulateSelectionSettings || !(points || cells))
-  {
-    return;
-  }
-  const int lowPass = points ? vtkHardwareSelector::POINT_ID_LOW24 : vtkHardwareSelector::CELL_ID_LOW24;
-  const int highPass = points ? vtkHardwareSelector::POINT_ID_HIGH24 : vtkHardwareSelector::CELL_ID_HIGH24;
-  const unsigned char* low = selector->GetRawPixelBuffer(lowPass);
-  unsigned char* target = selector->GetPixelBuffer(pass);
-  if (!low || !target)
-  {
-    return;
-  }
-  const vtkMTGraph& graph = self.Graph();
-  const int array = FindIds(graph, points, this->PointIdArrayName, this->CellIdArrayName);
-  std::uint64_t primitives = 1;
-  if (cells)
-  {
-    const int representation = static_cast<vtkActor*>(prop)->GetProperty()->GetRepresentation();
-    primitives = self.Painter->GetPrimitivesPerTriangle(
-      this->PointPicking ? GL_POINTS : static_cast<GLenum>(this->GetOpenGLMode(representation, PrimitiveTris)));
-  }
-  std::vector<unsigned char> arrays = self.Painter->GetArrays();
-  if (array >= 0)
-  {
-    arrays[array] = 1;
-  }
-  vtkMTPatchCache& cache = *self.Frame.GetCache();
-  cache.SetArrays(arrays);
-  vtkMTSelectionIds ids(
-    graph, self.Painter->GetArena(), cache, array, points ? vtkMTPatchArena::Vertices : vtkMTPatchArena::Triangles);
-  ids.Translate(pixelOffsets, low, selector->GetRawPixelBuffer(highPass), primitives, pass == highPass, target);
 }

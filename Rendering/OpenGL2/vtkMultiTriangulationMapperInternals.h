@@ -9,6 +9,7 @@
 #include "vtkMTPatchSource.h"
 #include "vtkMTPatchStreams.h"
 #include "vtkMTPlacement.h"
+#include "vtkMTSelectionIds.h"
 #include "vtkMTTrianglePainter.h"
 #include "vtkMTView.h"
 #include "vtkMTWindowClock.h"
@@ -61,6 +62,7 @@ struct vtkMultiTriangulationMapper::Internals
   vtkStateStorage ColorState;
   vtkStateStorage NewColorState;
 
+  std::array<vtkMTSelectionIds::Memory, 2> SelectedIds; // of points and of cells
   std::vector<vtkMTView> Views;
   const vtkMTFrame::Result* Cut = nullptr; // what this pass shows
   std::vector<std::uint32_t> Share;        // of its arcs, what this process draws, where it draws a share

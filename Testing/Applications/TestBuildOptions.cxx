@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <set>
 
 class BuildOptions : public MTBmtTest
@@ -83,6 +84,32 @@ TEST_F(BuildOptions, OnlyTheNamedArraysAreKept)
     this->Bmt({ "build", this->Path("square.ply"), "-o", this->Path("other.bmt"), "--arrays", "TCoords,Wrong" });
   EXPECT_NE(run.Exit, 0);
   EXPECT_NE(run.Err.find("\"Wrong\""), std::string::npos) << run.Err;
+}
+
+TEST_F(BuildOptions, IdsOfTheFinestLevelTakeHalfOfThoseOfAllLevels)
+{
+  this->MakeSphere(81920);
+  std::map<std::string, double> bytes;
+  std::map<std::string, double> ofIds;
+  for (const std::string which : { "none", "finest", "all", "points" })
+  {
+    const bool ofPoints = which == "points";
+    this->Build("sphere.ply",
+      ofPoints ? std::vector<std::string>{ "--point-ids" } : std::vector<std::string>{ "--ids", which });
+    const nlohmann::json info = this->BmtJson({ "info", this->Path("out.bmt") });
+    bytes[which] = info["bytes_per_triangle"];
+    for (const char* name : { "vtkMTInputCellIds", "vtkMTInputPointIds" })
+    {
+      ofIds[which] += info["bytes_of"].value(name, 0.0) / info["triangles"].get<double>();
+    }
+    std::cout << which << ": " << bytes[which] << " bytes per triangle, " << ofIds[which] << " for ids\n";
+    EXPECT_EQ(this->Bmt({ "verify", this->Path("out.bmt"), "--input", this->Path("sphere.ply") }).Exit, 0);
+  }
+  EXPECT_EQ(ofIds["none"], 0.0);
+  EXPECT_LT(ofIds["finest"], 0.6 * ofIds["all"]);
+  EXPECT_GT(ofIds["points"], ofIds["finest"]);
+  EXPECT_NEAR(bytes["all"] - bytes["finest"], ofIds["all"] - ofIds["finest"], 0.05);
+  EXPECT_NE(this->Bmt({ "build", this->Path("sphere.ply"), "-o", this->Path("other.bmt"), "--ids", "some" }).Exit, 0);
 }
 
 TEST_F(BuildOptions, NoPointMovesByMoreThanThePrecision)

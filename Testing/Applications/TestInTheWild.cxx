@@ -51,6 +51,7 @@ void Build(vtkPolyData* mesh, Built& built)
 {
   vtkNew<vtkMultiTriangulationBuilder> builder;
   builder->SetPatchTriangles(100);
+  builder->SetInputIds(vtkMultiTriangulationBuilder::AllInputIds);
   vtkMTPolyDataStream stream(mesh);
   built.IsGood = builder->Build(stream, built.Store);
   built.Error = builder->GetErrorMessage();

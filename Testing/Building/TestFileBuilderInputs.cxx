@@ -170,7 +170,7 @@ TEST_F(FileBuilderInputs, OnlyTheNamedArraysAreKept)
   this->Build(builder);
   EXPECT_EQ(this->GetArrays(), (std::set<std::string>{ "RGB", "TCoords", "vtkMTInputCellIds" }));
   builder->AddArrayName("TCoords");
-  builder->KeepIdsOff();
+  builder->SetInputIds(vtkMultiTriangulationBuilder::NoInputIds);
   this->Build(builder);
   EXPECT_EQ(this->GetArrays(), std::set<std::string>{ "TCoords" });
   builder->RemoveAllArrayNames();

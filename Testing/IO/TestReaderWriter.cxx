@@ -5,7 +5,9 @@
 #include "MTTestMeshes.h"
 #include "MTTestModel.h"
 
+#include "vtkMTFileSink.h"
 #include "vtkMTFileSource.h"
+#include "vtkMTGraph.h"
 #include "vtkMTMemoryByteSource.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationReader.h"
@@ -21,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 using namespace MTIOTest;
@@ -249,4 +252,55 @@ TEST(ReaderWriter, RangesOfTheWholeModelNeedNoPatch)
   EXPECT_FALSE(model->GetArrayRange("uv", vtkDataObject::CELL, 0, range));
   EXPECT_FALSE(model->GetArrayRange("nothing", vtkDataObject::POINT, 0, range));
   EXPECT_FALSE(model->GetArrayRange(nullptr, vtkDataObject::POINT, 0, range));
+}
+
+// What a patch lacks is told from what a file has lost.
+TEST(ReaderWriter, ArraysOfTheFinestLevelAreMissingElsewhereAndNowhereElse)
+{
+  Folder folder;
+  const std::string path = folder / "model.bmt";
+  const auto tube = MTTestModel::MakeTube();
+  vtkMTGraph& graph = tube->GetMutableGraph();
+  std::vector<vtkMTPatch>& patches = tube->GetMutablePatches();
+  graph.Arrays[2].SetFinestOnly();
+  std::uint32_t finest = 0;
+  for (std::uint32_t arc = 0; arc < graph.Arcs.size(); ++arc)
+  {
+    finest = graph.IsFinest(arc) ? arc : finest;
+    patches[arc].CellColumns[0].resize(graph.IsFinest(arc) ? patches[arc].CellColumns[0].size() : 0);
+  }
+  const auto write = [&]
+  {
+    vtkMTFileSink sink(path);
+    std::vector<std::uint32_t> patchOfArc;
+    bool good = sink.Begin(graph.Arrays);
+    for (std::uint32_t arc = 0; good && arc < graph.Arcs.size(); ++arc)
+    {
+      patchOfArc.push_back(arc);
+      good = sink.WritePatch(vtkMTPatch(patches[arc]));
+    }
+    return good && sink.Finish(graph, patchOfArc);
+  };
+  ASSERT_TRUE(write());
+  vtkMTPatch patch;
+  std::string error;
+  {
+    vtkMTFileSource source;
+    ASSERT_TRUE(source.Open(path, error)) << error;
+    EXPECT_TRUE(source.GetGraph().Arrays[2].IsFinestOnly());
+    ExpectStored(*tube, source);
+  }
+  const std::string command = std::string("python3 ") + MT_SOURCE_DIRECTORY + "/Testing/IO/read_model.py " + path +
+    " " + (folder / "dump") + " > " + (folder / "log") + " 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+
+  patches[finest].CellColumns[0].clear();
+  ASSERT_TRUE(write());
+  vtkMTFileSource source;
+  ASSERT_TRUE(source.Open(path, error)) << error;
+  EXPECT_FALSE(source.ReadPatch(finest, nullptr, patch, error));
+  EXPECT_NE(error.find("no section for the array"), std::string::npos) << error;
+  EXPECT_NE(std::system(command.c_str()), 0);
+  graph.Arrays[2].Properties.clear();
+  EXPECT_FALSE(write()) << "an array of all levels is missing on some";
 }

@@ -117,6 +117,7 @@ def unzigzag(code, width=32):
 PAGES, METADATA, NODES, ARCS, ENTERING, SECTIONS, MEASURES, RANGES, DISTANCES = range(1, 10)  # types of blocks
 PAGE = 65536
 BLOB = 0x8000
+FINEST = b"finest"
 
 
 class Header:
@@ -787,10 +788,10 @@ def direction(u, v, half=2047):
     return (single(x / length), single(y / length), single(z / length))
 
 
-def read_column(array, arc, patch, codec, data):
+def read_column(array, arc, is_finest, patch, codec, data):
     of_cells = array.association == 1
     tuples = arc[2] if of_cells else arc[4]
-    if array.role == 3 and not data:
+    if not data and (array.role == 3 or (array.properties.get(b"levels") == FINEST and not is_finest)):
         return data
     if codec == 0:
         require(len(data) == tuples * array.tuple_size, "a column of another length")
@@ -844,7 +845,7 @@ def dump(model, out):
         out.write(struct.pack(f"<{len(patch.ids)}Q{len(table)}I", *patch.ids, *table))
         out.write(struct.pack(f"<{3 * len(patch.triangles)}I", *flatten(patch.triangles)))
         for j, array in enumerate(model.arrays):
-            column = read_column(array, arc, patch, *model.section(i, 1 + j))
+            column = read_column(array, arc, is_finest, patch, *model.section(i, 1 + j))
             out.write(column)
             if is_finest:
                 extend_ranges(ranges[j], array, column)

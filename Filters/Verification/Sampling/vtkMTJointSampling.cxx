@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 namespace
@@ -81,6 +82,11 @@ void vtkMTJointSampling::GetTuple(
   const bool ofPoints = array.Association == vtkMTArrayInfo::Point;
   const vtkMTColumn& bytes = ofPoints ? patch.PointColumns[column.Index] : patch.CellColumns[column.Index];
   const std::size_t tuple = ofPoints ? patch.Triangles[triangle][corner] : triangle;
+  if (bytes.empty()) // an array of the finest level alone
+  {
+    std::fill_n(values, array.Components, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   switch (array.Type)
   {
     vtkTemplateMacro(CopyTuple<VTK_TT>(bytes, tuple, array.Components, values));

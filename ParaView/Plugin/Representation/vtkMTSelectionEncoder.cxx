@@ -67,7 +67,7 @@ std::string FindInServer(vtkSMProxy* view, vtkMultiTriangulationRepresentation* 
     vtkSMPropertyHelper input(proxy, "Input");
     auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
     const std::string named = points ? representation->GetPointIdArray() : representation->GetCellIdArray();
-    const std::string name = !named.empty() || points ? named : "vtkMTInputCellIds";
+    const std::string name = !named.empty() ? named : points ? "vtkMTInputPointIds" : "vtkMTInputCellIds";
     const int association = points ? vtkDataObject::POINT : vtkDataObject::CELL;
     const bool there = source && !name.empty() &&
       source->GetDataInformation(input.GetOutputPort())->GetArrayInformation(name.c_str(), association);

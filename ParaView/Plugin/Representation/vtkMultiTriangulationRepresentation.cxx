@@ -150,7 +150,7 @@ vtkPolyData* vtkMultiTriangulationRepresentation::GetDrawnMesh()
   {
     this->DrawnArcs = std::move(arcs);
     this->DrawnMesh = vtkSmartPointer<vtkPolyData>::New();
-    if (!mapper->GetCut(this->DrawnMesh))
+    if (!mapper->GetCut(this->DrawnMesh, true)) // by whose ids what is selected is found again
     {
       this->DrawnArcs.clear();
     }
