@@ -441,7 +441,8 @@ private:
   std::uint64_t GetTrianglesInTime(vtkRenderer* renderer, vtkActor* actor);
   void TakeFigures();
   void UpdateCellTextures(vtkRenderer* renderer);
-  void UseClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  void TakeClippingPlanes(vtkActor* actor);
+  void UseClippingPlanes(vtkOpenGLHelper& cellBO);
   void DrawPrimitives(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode);
   void DrawVertices(vtkRenderer* renderer, vtkActor* actor);
   std::array<unsigned char, 4> GetPatchColor(std::uint32_t arc);
