@@ -57,6 +57,7 @@ check("The figures are those of the server", alone[3] == remote[3] and alone[3][
 shown = remote[4]
 shown.PixelError = 4.0
 simple.Render()
+shown.UpdatePropertyInformation()
 check("and follow it, as attributes in Python, too", 0 < shown.NumberOfTriangles < remote[3][0] / 2 and
       1.0 < shown.AchievedPixelError <= 4.0 and shown.FrameTime > 0.0 and shown.PatchMemory > 0,
       shown.NumberOfTriangles, shown.AchievedPixelError, shown.FrameTime)

@@ -38,11 +38,12 @@ void vtkSMMultiTriangulationRepresentationProxy::PrintSelf(ostream& os, vtkInden
 void vtkSMMultiTriangulationRepresentationProxy::UpdatePropertyInformationInternal(vtkSMProperty* property)
 {
   this->Superclass::UpdatePropertyInformationInternal(property);
-  vtkNew<vtkMTFigureInformation> all;
-  if ((property && !property->GetInformationOnly()) || !this->ObjectsCreated || !this->GatherInformation(all))
+  if ((property && !property->GetInformationOnly()) || !this->ObjectsCreated)
   {
     return;
   }
+  vtkNew<vtkMTFigureInformation> all;
+  this->GatherInformation(all); // false with a server, where it was gathered, too
   Inform<vtkSMIdTypeVectorProperty>(this, "NumberOfTriangles", static_cast<vtkIdType>(all->GetNumberOfTriangles()));
   Inform<vtkSMIdTypeVectorProperty>(this, "LargestShare", static_cast<vtkIdType>(all->GetLargestShare()));
   Inform<vtkSMIdTypeVectorProperty>(this, "NumberOfPatches", static_cast<vtkIdType>(all->GetNumberOfPatches()));

@@ -4,8 +4,8 @@
  * @brief the client's handle of a vtkMultiTriangulationRepresentation, whose figures are those of all processes
  *
  * ParaView gives properties that only inform the values of the client's own process, and a model is drawn in the
- * server, on several ranks by each. So the figures of the last frame are gathered (vtkMTFigureInformation) whenever
- * they are asked for, and not before: a frame costs no message.
+ * server, on several ranks by each. So UpdatePropertyInformation gathers the figures of the last frame
+ * (vtkMTFigureInformation). Nothing else does: a frame costs no message.
  */
 #ifndef vtkSMMultiTriangulationRepresentationProxy_h
 #define vtkSMMultiTriangulationRepresentationProxy_h
