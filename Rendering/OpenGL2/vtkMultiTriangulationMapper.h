@@ -7,9 +7,10 @@
  * error (see vtkMTTargetCut and vtkMTCutFollower; Cignoni et al., "Batched Multi Triangulation", 2005, section 5), has
  * loader threads read the patches that it lacks (vtkMTPatchCache), and draws them with the shaders of
  * vtkOpenGLPolyDataMapper: property, lights, scalar colouring, textures, clipping planes, edges, translucency and
- * picking are VTK's own. All passes of a frame that look through the same camera share one cut, and so do both eyes of
- * a stereo picture. Several renderers and windows may share a mapper: each has its own cut, patches in main memory are
- * shared by all, those on the GPU by all renderers of a window.
+ * picking are VTK's own. Patches that a clipping plane takes away whole are not drawn, and do not count. All passes of
+ * a frame that look through the same camera share one cut, and so do both eyes of a stereo picture. Several renderers
+ * and windows may share a mapper: each has its own cut, patches in main memory are shared by all, those on the GPU by
+ * all renderers of a window.
  *
  * Input is a vtkMultiTriangulation with a patch source. Any other vtkPolyData is drawn as vtkPolyDataMapper draws it.
  *
@@ -445,7 +446,8 @@ private:
   std::uint64_t GetTrianglesInTime(vtkRenderer* renderer, vtkActor* actor);
   void TakeFigures();
   void UpdateCellTextures(vtkRenderer* renderer);
-  void UseClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor);
+  void TakeClippingPlanes(vtkActor* actor);
+  void UseClippingPlanes(vtkOpenGLHelper& cellBO);
   void DrawPrimitives(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLHelper& cellBO, unsigned int mode);
   void DrawVertices(vtkRenderer* renderer, vtkActor* actor);
   std::array<unsigned char, 4> GetPatchColor(std::uint32_t arc);

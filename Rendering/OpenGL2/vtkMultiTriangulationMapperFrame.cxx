@@ -8,6 +8,7 @@
 #include "vtkRenderWindow.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace
@@ -33,10 +34,31 @@ std::uint64_t GetLower(std::uint64_t a, std::uint64_t b)
 }
 
 //------------------------------------------------------------------------------
+// By a margin that is larger than what the shader's single precision makes of places near a plane.
+bool vtkMultiTriangulationMapper::Internals::IsClippedAway(const vtkMTBox& box) const
+{
+  constexpr double margin = 1e-5;
+  const auto misses = [&box](const std::array<double, 4>& plane)
+  {
+    double highest = plane[3];
+    double size = std::abs(plane[3]);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double low = plane[k] * box[2 * k];
+      const double high = plane[k] * box[2 * k + 1];
+      highest += std::max(low, high);
+      size += std::max(std::abs(low), std::abs(high));
+    }
+    return highest < -margin * size;
+  };
+  return std::any_of(this->Planes.begin(), this->Planes.end(), misses);
+}
+
+//------------------------------------------------------------------------------
 // A patch is in the share that the middle of its triangles lies in, when those of all patches are put in a row.
 void vtkMultiTriangulationMapper::Internals::TakeShare(const int share[2])
 {
-  this->DrawsShare = share[0] != 0 || share[1] != 1;
+  this->DrawsShare = share[0] != 0 || share[1] != 1 || !this->Planes.empty();
   this->Share.clear();
   this->ShareTriangles = 0;
   const std::uint64_t all = std::max<std::uint64_t>(this->Cut->Triangles, 1);
@@ -44,10 +66,11 @@ void vtkMultiTriangulationMapper::Internals::TakeShare(const int share[2])
   std::uint64_t before = 0;
   for (std::size_t i = 0; this->DrawsShare && i < this->Cut->Arcs.size(); ++i)
   {
-    const std::uint64_t triangles = this->Graph().Arcs[this->Cut->Arcs[i]].Triangles;
+    const vtkMTArc& arc = this->Graph().Arcs[this->Cut->Arcs[i]];
+    const std::uint64_t triangles = arc.Triangles;
     const std::uint64_t own = std::min((2 * before + triangles) * count / (2 * all), count - 1);
     before += triangles;
-    if (own == static_cast<std::uint64_t>(share[0]))
+    if (own == static_cast<std::uint64_t>(share[0]) && !this->IsClippedAway(arc.Box))
     {
       this->Share.push_back(this->Cut->Arcs[i]);
       this->ShareTriangles += triangles;
@@ -134,6 +157,7 @@ void vtkMultiTriangulationMapper::UpdateFrame(vtkRenderer* renderer, vtkActor* a
   self.Cut = &self.Frame.Update(self.GetKey(renderer, actor), self.Views, settings, *self.Painter);
   const std::array<double, 6>& bounds = self.GetBounds(self.Frame.GetSource());
   self.Origin = self.Graph().Lattice.Snap(vtkMTRendererView::GetNearest(renderer, modelToWorld, bounds).data());
+  this->TakeClippingPlanes(actor);
   self.TakeShare(this->DrawnShare);
   this->TakeFigures();
   if (settings.Advance)

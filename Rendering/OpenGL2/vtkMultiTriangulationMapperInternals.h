@@ -68,6 +68,7 @@ struct vtkMultiTriangulationMapper::Internals
   std::vector<std::uint32_t> Share;        // of its arcs, what this process draws, where it draws a share
   std::uint64_t ShareTriangles = 0;
   bool DrawsShare = false;
+  std::vector<std::array<double, 4>> Planes;     // that clip, as equations in steps of the lattice
   std::array<std::int32_t, 3> Origin{ 0, 0, 0 }; // the lattice point that the GPU's coordinates are relative to
   std::chrono::steady_clock::time_point FrameStart;
   double CallSeconds = 0.0; // until this pass's draw calls had returned
@@ -87,6 +88,7 @@ struct vtkMultiTriangulationMapper::Internals
   const vtkMTGraph& Graph() const { return this->Frame.GetGraph(); }
 
   void TakeShare(const int share[2]);
+  bool IsClippedAway(const vtkMTBox& box) const;
   const std::vector<std::uint32_t>& GetDrawnArcs() const { return this->DrawsShare ? this->Share : this->Cut->Arcs; }
 
   // Of some arcs, where the input stands.

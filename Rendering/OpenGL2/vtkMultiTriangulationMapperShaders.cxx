@@ -157,7 +157,7 @@ void vtkMultiTriangulationMapper::SetMapperShaderParameters(
   const auto& origin = this->Implementation->Origin;
   const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
   glUniform3i(where, origin[0], origin[1], origin[2]);
-  this->UseClippingPlanes(cellBO, actor);
+  this->UseClippingPlanes(cellBO);
   if (this->Implementation->HasCellTextures && cellBO.Program->IsUniformUsed("cellTextures"))
   {
     cellBO.Program->SetUniformi("cellTextures", this->Implementation->CellTextureBuffer->GetTextureUnit());
@@ -165,35 +165,50 @@ void vtkMultiTriangulationMapper::SetMapperShaderParameters(
 }
 
 //------------------------------------------------------------------------------
-// The superclass's planes are in model units; these are in lattice steps from the origin.
-void vtkMultiTriangulationMapper::UseClippingPlanes(vtkOpenGLHelper& cellBO, vtkActor* actor)
+// The superclass's planes are in model units; these are in lattice steps.
+void vtkMultiTriangulationMapper::TakeClippingPlanes(vtkActor* actor)
 {
-  constexpr int Maximum = 6;
-  const int count = std::min(this->GetNumberOfClippingPlanes(), Maximum);
-  if (count == 0 || !cellBO.Program->IsUniformUsed("clipPlanes"))
-  {
-    return;
-  }
-  const vtkMTLattice& lattice = this->Implementation->Graph().Lattice;
-  const std::array<double, 3> origin = lattice.ToWorld(this->Implementation->Origin);
-  float equations[Maximum][4] = {};
+  Internals& self = *this->Implementation;
+  constexpr int maximum = 6; // of the superclass's shader
+  self.Planes.resize(static_cast<std::size_t>(std::min(this->GetNumberOfClippingPlanes(), maximum)));
+  const vtkMTLattice& lattice = self.Graph().Lattice;
+  const std::array<double, 3> corner = lattice.ToWorld(vtkMTPoint{ 0, 0, 0 });
   vtkNew<vtkMatrix4x4> modelToWorld;
-  modelToWorld->DeepCopy(this->Implementation->GetModelToWorld(actor).data());
-  for (int i = 0; i < count; ++i)
+  modelToWorld->DeepCopy(self.GetModelToWorld(actor).data());
+  for (std::size_t i = 0; i < self.Planes.size(); ++i)
   {
     double plane[4];
-    this->GetClippingPlaneInDataCoords(modelToWorld, i, plane);
+    this->GetClippingPlaneInDataCoords(modelToWorld, static_cast<int>(i), plane);
     // In steps all along, and of a length near 1, so that the smallest and largest models stay within the range of
     // floats; the shader looks at the sign only.
     const double unit = GetUnit(std::max({ std::abs(plane[0]), std::abs(plane[1]), std::abs(plane[2]) }));
-    const double offset = plane[0] * origin[0] + plane[1] * origin[1] + plane[2] * origin[2] + plane[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      equations[i][k] = static_cast<float>(unit * plane[k]);
-    }
-    equations[i][3] = static_cast<float>(unit * (offset / lattice.Step));
+    const double offset = plane[0] * corner[0] + plane[1] * corner[1] + plane[2] * corner[2] + plane[3];
+    self.Planes[i] = { unit * plane[0], unit * plane[1], unit * plane[2], unit * (offset / lattice.Step) };
   }
-  cellBO.Program->SetUniform4fv("clipPlanes", Maximum, equations);
+}
+
+//------------------------------------------------------------------------------
+// The shader's places are relative to the origin.
+void vtkMultiTriangulationMapper::UseClippingPlanes(vtkOpenGLHelper& cellBO)
+{
+  const Internals& self = *this->Implementation;
+  constexpr int maximum = 6;
+  if (self.Planes.empty() || !cellBO.Program->IsUniformUsed("clipPlanes"))
+  {
+    return;
+  }
+  float equations[maximum][4] = {};
+  for (std::size_t i = 0; i < self.Planes.size(); ++i)
+  {
+    double offset = self.Planes[i][3];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      equations[i][k] = static_cast<float>(self.Planes[i][k]);
+      offset += self.Planes[i][k] * self.Origin[k];
+    }
+    equations[i][3] = static_cast<float>(offset);
+  }
+  cellBO.Program->SetUniform4fv("clipPlanes", maximum, equations);
 }
 
 //------------------------------------------------------------------------------

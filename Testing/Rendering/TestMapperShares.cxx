@@ -7,6 +7,7 @@
 #include "vtkMTPatchStore.h"
 #include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationMapper.h"
+#include "vtkPlane.h"
 #include "vtkRenderer.h"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,41 @@ TEST(MapperShares, PicturesPutTogetherAreThePictureOfAll)
   }
   // A height field seen from above: nothing is in front of anything.
   EXPECT_EQ(MTDifference::Compare(sum, whole).Pixels, 0u);
+}
+
+//------------------------------------------------------------------------------
+// As ranks draw what lies on their side of a plane.
+TEST(MapperShares, PatchesThatAPlaneTakesAwayAreNotDrawnAndTwoSidesAreThePictureOfAll)
+{
+  ShareScene scene;
+  scene.Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+  const vtkSmartPointer<vtkImageData> whole = scene.Scene.Render();
+  const vtkIdType all = scene.Mapper->GetNumberOfTriangles();
+  auto sum = vtkSmartPointer<vtkImageData>::New();
+  sum->DeepCopy(whole);
+  auto* bytes = static_cast<unsigned char*>(sum->GetScalarPointer());
+  const vtkIdType size = sum->GetNumberOfPoints() * sum->GetNumberOfScalarComponents();
+  std::fill_n(bytes, size, static_cast<unsigned char>(0));
+  vtkIdType drawn = 0;
+  for (const double side : { -1.0, 1.0 })
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(0.437, 0.5, 0.0);
+    plane->SetNormal(side, 0.3 * side, 0.0);
+    scene.Mapper->RemoveAllClippingPlanes();
+    scene.Mapper->AddClippingPlane(plane);
+    const vtkSmartPointer<vtkImageData> part = scene.Scene.Render();
+    const auto* own = static_cast<const unsigned char*>(part->GetScalarPointer());
+    std::transform(bytes, bytes + size, own, bytes, [](unsigned char a, unsigned char b) { return std::max(a, b); });
+    std::cout << scene.Mapper->GetNumberOfTriangles() << " of " << all << " triangles on one side\n";
+    EXPECT_LT(scene.Mapper->GetNumberOfTriangles(), 4 * all / 5);
+    drawn += scene.Mapper->GetNumberOfTriangles();
+  }
+  EXPECT_EQ(MTDifference::Compare(sum, whole).Pixels, 0u);
+  EXPECT_GE(drawn, all);
+  scene.Mapper->RemoveAllClippingPlanes();
+  scene.Scene.Render();
+  EXPECT_EQ(scene.Mapper->GetNumberOfTriangles(), all);
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include "vtkMTGraph.h"
 #include "vtkMTLODActor.h"
 #include "vtkMTPatchSource.h"
+#include "vtkMTRankBoxes.h"
 #include "vtkMTReplica.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -138,24 +139,29 @@ vtkMultiTriangulationRepresentation* vtkMultiTriangulationRepresentation::FindSh
 
 //------------------------------------------------------------------------------
 // The patches are compared: the mesh serves as long as the cut stays, so while the cursor moves over a still picture.
+// Where this process draws a part of the cut, the rest may be another one after another search.
 vtkPolyData* vtkMultiTriangulationRepresentation::GetDrawnMesh()
 {
   vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
+  auto* drawn = vtkMultiTriangulation::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const bool part = this->SharesModel || this->Clips;
   std::vector<std::uint32_t> arcs = mapper->GetDrawnArcs();
-  if (arcs.empty())
+  if (!this->GetModel() || !drawn || drawn->GetSource() != this->GetModel()->GetSource() || (arcs.empty() && !part))
   {
     return nullptr;
   }
-  if (arcs != this->DrawnArcs)
+  const vtkIdType search = part ? mapper->GetNumberOfCuts() : 0;
+  if (!this->DrawnMesh || arcs != this->DrawnArcs || search != this->DrawnSearch)
   {
     this->DrawnArcs = std::move(arcs);
+    this->DrawnSearch = search;
     this->DrawnMesh = vtkSmartPointer<vtkPolyData>::New();
     if (!mapper->GetCut(this->DrawnMesh, true)) // by whose ids what is selected is found again
     {
-      this->DrawnArcs.clear();
+      this->DrawnMesh = nullptr;
     }
   }
-  return this->DrawnArcs.empty() ? nullptr : this->DrawnMesh.Get();
+  return this->DrawnMesh;
 }
 
 //------------------------------------------------------------------------------
@@ -321,22 +327,54 @@ void vtkMultiTriangulationRepresentation::CountReplicas()
 }
 
 //------------------------------------------------------------------------------
+// A share is a set of patches where the nearest of all ranks' fragments is seen. Where the ranks' pictures are put over
+// each other in an order, it is all that lies in the rank's box; and where no boxes say an order, the first rank draws.
 void vtkMultiTriangulationRepresentation::SetShare()
 {
   vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
   const int rank = this->SharesModel ? ranks->GetLocalProcessId() : 0;
-  if (this->SharesModel && this->NeedsOrderedCompositing())
+  const int count = this->SharesModel ? ranks->GetNumberOfProcesses() : 1;
+  std::vector<vtkMTRankBoxes::Plane> planes;
+  if (this->SharesModel && (this->NeedsOrderedCompositing() || vtkMTRankBoxes::AreOrdered(this->GetView())))
   {
-    mapper->SetDrawnShare(rank == 0 ? 0 : 1, 1);
+    constexpr int most = 6; // of a mapper
+    const std::vector<vtkBoundingBox> boxes = vtkMTRankBoxes::Get(this->GetView());
+    const bool boxed = static_cast<int>(boxes.size()) == count && vtkMTRankBoxes::AreApart(boxes) &&
+      vtkMTRankBoxes::GetMostPlanes(boxes) + (this->Clips ? 1 : 0) <= most;
+    mapper->SetDrawnShare(boxed || rank == 0 ? 0 : 1, 1);
+    planes = boxed ? vtkMTRankBoxes::GetPlanes(boxes, rank) : planes;
   }
   else
   {
-    mapper->SetDrawnShare(rank, this->SharesModel ? ranks->GetNumberOfProcesses() : 1);
+    mapper->SetDrawnShare(rank, count);
+  }
+  if (planes != this->RankPlanes)
+  {
+    this->RankPlanes = std::move(planes);
+    this->SetPlanes();
   }
   mapper->SetWaitForConvergence(
     this->SharesModel ? static_cast<int>(vtkMultiTriangulationMapper::WAIT_ALWAYS) : this->WaitForConvergence);
   mapper->SetDrawingRate(this->SharesModel ? 1e15 : this->DrawingRate);
+}
+
+//------------------------------------------------------------------------------
+void vtkMultiTriangulationRepresentation::SetPlanes()
+{
+  vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
+  mapper->RemoveAllClippingPlanes();
+  if (this->Clips)
+  {
+    mapper->AddClippingPlane(this->ClippingPlane);
+  }
+  for (vtkMTRankBoxes::Plane& values : this->RankPlanes)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(values.data());
+    plane->SetNormal(values.data() + 3);
+    mapper->AddClippingPlane(plane);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,10 @@
  *
  * Several ranks, where a reader gave the model: each has the handle to all patches, finds the same cut and draws its
  * share of it (vtkMultiTriangulationMapper::SetDrawnShare), and ParaView composites. The cut is the same only where it
- * does not depend on time, so ranks always wait for their patches. Translucent surfaces are drawn by rank 0 alone:
- * shares cannot be put in an order from back to front.
+ * does not depend on time, so ranks always wait for their patches. Shares are patches in a row and cannot be put in an
+ * order from back to front. Where something translucent is in the view, ParaView gives each rank a box of a k-d tree,
+ * and puts the pictures over each other in the boxes' order: then a rank draws what lies in its box, clipped at the
+ * faces. Where there are no such boxes, or they have more faces than a mapper has clipping planes, rank 0 draws all.
  *
  * Interaction: a still render waits until the picture is what the settings ask for. An interactive one draws what is
  * there, in the time that ParaView's frame rate allows. Where ParaView uses levels of detail (the model's finest level
@@ -30,6 +32,7 @@
 #include "vtkPlane.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -124,7 +127,7 @@ public:
   ///@}
 
   ///@{
-  /// The mapper's figures of the last frame in this process.
+  /// The mapper's figures of the last frame in this process; vtkMTFigureInformation has those of all processes.
   vtkIdType GetNumberOfTriangles();
   vtkIdType GetNumberOfPatches();
   double GetAchievedPixelError();
@@ -156,6 +159,7 @@ private:
   void RequestRender(vtkInformation* inInfo);
   void CountReplicas();
   void SetShare();
+  void SetPlanes();
 
   vtkSmartPointer<vtkDataObject> Data;
   double PixelError = 1.0;
@@ -167,8 +171,11 @@ private:
   int Style = SURFACE;
   std::string PointIdArray;
   std::string CellIdArray;
+  bool Clips = false;
   vtkNew<vtkPlane> ClippingPlane;
-  std::vector<std::uint32_t> DrawnArcs; // of which DrawnMesh is
+  std::vector<std::array<double, 6>> RankPlanes; // where the view puts ranks in an order
+  std::vector<std::uint32_t> DrawnArcs;          // of the cut that DrawnMesh is
+  vtkIdType DrawnSearch = 0;                     // that found it
   vtkSmartPointer<vtkPolyData> DrawnMesh;
 };
 

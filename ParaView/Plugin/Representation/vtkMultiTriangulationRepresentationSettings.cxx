@@ -157,12 +157,8 @@ vtkIdType vtkMultiTriangulationRepresentation::GetPatchMemory()
 //------------------------------------------------------------------------------
 void vtkMultiTriangulationRepresentation::SetClip(bool on)
 {
-  vtkMultiTriangulationMapper* mapper = this->GetMultiTriangulationMapper();
-  mapper->RemoveAllClippingPlanes();
-  if (on)
-  {
-    mapper->AddClippingPlane(this->ClippingPlane);
-  }
+  this->Clips = on;
+  this->SetPlanes();
 }
 
 //------------------------------------------------------------------------------
