@@ -36,7 +36,8 @@ set(mt_single_sources
   MTRenderingCore:Rendering/Core/vtkMTFinestNear.cxx
   MTRenderingCore:Rendering/Core/vtkMTFinestPatches.cxx
   MTRenderingCore:Rendering/Core/vtkMTInputIdFinder.cxx
-  MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx)
+  MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTPatchArenaLayout.cxx
+  MTRenderingOpenGL2:Rendering/OpenGL2/vtkMTSelectionIds.cxx)
 
 # mt_unity_build(<modules>): where MT_UNITY_BUILD is on; their targets are there by now.
 function (mt_unity_build)
