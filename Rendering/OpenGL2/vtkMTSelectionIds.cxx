@@ -14,7 +14,7 @@
 
 namespace
 {
-constexpr std::size_t MostIds = std::size_t(1) << 22;         // that are kept
+constexpr std::size_t MostIds = std::size_t(1) << 20;         // that are kept
 constexpr std::size_t MostPatchBytes = std::size_t(64) << 20; // of the finest level's patches
 constexpr unsigned int MostThreads = 4;
 }
