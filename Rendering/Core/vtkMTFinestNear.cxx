@@ -94,7 +94,7 @@ void vtkMTFinestNear::Expand(std::uint32_t node)
   }
 }
 
-bool vtkMTFinestNear::Next(double farthest, std::uint32_t& arc)
+bool vtkMTFinestNear::Next(double farthest, Found& found)
 {
   while (!this->Heap.empty() && this->Heap.front().Bound * (1.0 - Rounding) <= farthest)
   {
@@ -103,10 +103,16 @@ bool vtkMTFinestNear::Next(double farthest, std::uint32_t& arc)
     this->Heap.pop_back();
     if (entry.IsArc)
     {
-      arc = entry.Index;
+      found = { entry.Bound, entry.Index };
       return true;
     }
     this->Expand(entry.Index);
   }
   return false;
+}
+
+vtkMTFinestNear::Neighbourhood::Neighbourhood(vtkMTFinestNear& near, const Place& x)
+  : Near(near)
+{
+  near.Begin(x);
 }

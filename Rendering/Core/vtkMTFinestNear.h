@@ -8,6 +8,9 @@
  * depends on how many spheres reach the place, not on the model's size: a node is expanded only when everything that is
  * nearer has been given.
  *
+ * Places that lie around one are served by one such walk (Neighbourhood): what is within d of a place that is a from
+ * the middle is within d + a of the middle.
+ *
  * The graph must be whole. Use one object per thread; it keeps scratch memory between places.
  */
 #ifndef vtkMTFinestNear_h
@@ -16,6 +19,7 @@
 #include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,8 +35,31 @@ public:
 
   /// x: model units.
   void Begin(const Place& x);
-  /// The next arc; false when no arc is left whose box is nearer than so many steps of the lattice (rounding apart).
-  bool Next(double farthest, std::uint32_t& arc);
+  struct Found
+  {
+    double Distance = 0.0; ///< of the box of the arc's patch, in steps of the lattice
+    std::uint32_t Arc = 0;
+  };
+  /// The next one; false when none is left whose box is nearer than so many steps (rounding apart).
+  bool Next(double farthest, Found& found);
+
+  /// Those that have been found near the place that was begun with, for places around it.
+  class Neighbourhood
+  {
+  public:
+    /// x: model units.
+    Neighbourhood(vtkMTFinestNear& near, const Place& x);
+    /**
+     * Calls visit with each arc whose box is no farther from x (in steps) than getFarthest2 gives the square of, which
+     * may become less meanwhile; with some of them that are farther, too.
+     */
+    template <class Farthest2, class Visit>
+    void ForAll(const Place& x, Farthest2&& getFarthest2, Visit&& visit);
+
+  private:
+    vtkMTFinestNear& Near;
+    std::vector<Found> List; // the nearest to the middle first
+  };
 
   /// The place in steps of the lattice, from its origin.
   static Place ToSteps(const vtkMTGraph& graph, const Place& x);
@@ -62,5 +89,27 @@ private:
   std::uint32_t Turn = 0;
   std::uint64_t Nodes = 0;
 };
+
+template <class Farthest2, class Visit>
+void vtkMTFinestNear::Neighbourhood::ForAll(const Place& x, Farthest2&& getFarthest2, Visit&& visit)
+{
+  constexpr double slack = 1.0 + 1e-9;
+  const Place& middle = this->Near.Steps;
+  const double aside = slack * std::hypot(x[0] - middle[0], x[1] - middle[1], x[2] - middle[2]);
+  for (std::size_t i = 0;; ++i)
+  {
+    const double farthest = aside + slack * std::sqrt(getFarthest2());
+    Found found;
+    if (i == this->List.size() && this->Near.Next(farthest, found))
+    {
+      this->List.push_back(found);
+    }
+    if (i == this->List.size() || this->List[i].Distance > farthest)
+    {
+      return;
+    }
+    visit(this->List[i].Arc);
+  }
+}
 
 #endif

@@ -21,10 +21,12 @@
 
 namespace
 {
-constexpr std::size_t ShareSize = 64; // places that a thread takes at a time
+constexpr std::size_t GroupSize = 64; // places on one patch that are looked at together
 constexpr std::size_t ReadSize = 16;  // patches that it reads at a time
 constexpr double ShareOfLocating = 0.2;
+constexpr double Rounding = 1e-9; // of distances that were computed by different ways
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t None = ~std::uint32_t(0);
 }
 
 class vtkMTInputIdFinder::Internals
@@ -48,6 +50,10 @@ public:
   {
     ids.assign(queries.size(), Unknown);
     this->Error.clear();
+    if (queries.empty())
+    {
+      return true;
+    }
     const vtkMTGraph& graph = this->Source.GetGraph();
     if (!this->IsThere || !graph.IsWhole())
     {
@@ -62,16 +68,14 @@ public:
     this->Located = this->Found = 0;
     this->Report = progress;
     this->Total = queries.size();
+    this->MakeGroups(queries);
     const std::vector<std::uint32_t> nearest = this->FindNearest(queries);
-    for (std::size_t begin = 0; begin < queries.size() && !this->Stop;)
+    const std::size_t groups = this->Begins.size() - 1;
+    for (std::size_t begin = 0; begin < groups && !this->Stop;)
     {
       const std::size_t end = this->Fetch(nearest, begin);
-      this->ForAll(end - begin, ShareSize,
-        [&](std::size_t i, vtkMTFinestNear& near)
-        {
-          ids[begin + i] = this->FindOne(queries[begin + i], near);
-          ++this->Found;
-        });
+      this->ForAll(
+        end - begin, [&](std::size_t i, vtkMTFinestNear& near) { this->FindGroup(begin + i, queries, near, ids); });
       begin = end;
     }
     return this->Error.empty() && !this->Stop;
@@ -88,35 +92,74 @@ public:
   std::string Error;
 
 private:
+  // Places on one patch that follow each other are near each other.
+  void MakeGroups(const std::vector<Query>& queries)
+  {
+    this->Begins.assign(1, 0);
+    for (std::size_t i = 1; i < queries.size(); ++i)
+    {
+      if (queries[i].Arc != queries[i - 1].Arc || i - this->Begins.back() == GroupSize)
+      {
+        this->Begins.push_back(i);
+      }
+    }
+    this->Begins.push_back(queries.size());
+  }
+
+  Place GetMiddle(std::size_t group, const std::vector<Query>& queries) const
+  {
+    const std::size_t count = this->Begins[group + 1] - this->Begins[group];
+    Place middle{};
+    for (std::size_t i = this->Begins[group]; i < this->Begins[group + 1]; ++i)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        middle[k] += queries[i].X[k] / static_cast<double>(count);
+      }
+    }
+    return middle;
+  }
+
   // The patch whose box is nearest to each place: where the nearest triangle is, as a rule.
   std::vector<std::uint32_t> FindNearest(const std::vector<Query>& queries)
   {
+    const vtkMTGraph& graph = this->Source.GetGraph();
     std::vector<std::uint32_t> nearest(queries.size(), 0);
-    this->ForAll(queries.size(), ShareSize,
-      [&](std::size_t i, vtkMTFinestNear& near)
+    this->ForAll(this->Begins.size() - 1,
+      [&](std::size_t group, vtkMTFinestNear& near)
       {
-        near.Begin(queries[i].X);
-        near.Next(Infinity, nearest[i]);
-        ++this->Located;
+        vtkMTFinestNear::Neighbourhood around(near, this->GetMiddle(group, queries));
+        for (std::size_t i = this->Begins[group]; i < this->Begins[group + 1]; ++i)
+        {
+          const Place x = vtkMTFinestNear::ToSteps(graph, queries[i].X);
+          double least2 = Infinity;
+          const auto visit = [&](std::uint32_t arc)
+          {
+            const double distance2 = vtkMTFinestNear::GetDistance2(graph.Arcs[arc].Box, x);
+            nearest[i] = distance2 < least2 ? arc : nearest[i];
+            least2 = std::min(least2, distance2);
+          };
+          around.ForAll(
+            x, [&least2] { return least2; }, visit);
+          ++this->Located;
+        }
       });
     return nearest;
   }
 
-  // Has the patches read that places from begin on are nearest to, as many as fit. Gives the end of these places.
+  // Has the patches read that places of the groups from begin on are nearest to, as many as fit. Gives the end of these
+  // groups.
   std::size_t Fetch(const std::vector<std::uint32_t>& nearest, std::size_t begin)
   {
     std::unordered_set<std::uint32_t> chosen;
     std::size_t bytes = 0;
     std::size_t end = begin;
-    for (; end < nearest.size(); ++end)
+    for (; end + 1 < this->Begins.size() && (end == begin || bytes < this->MemoryLimit / 4 * 3); ++end)
     {
-      const std::size_t more = chosen.count(nearest[end]) ? 0 : this->Patches->GetBytes(nearest[end]);
-      if (bytes + more > this->MemoryLimit / 4 * 3 && end > begin)
+      for (std::size_t i = this->Begins[end]; i < this->Begins[end + 1]; ++i)
       {
-        break;
+        bytes += chosen.insert(nearest[i]).second ? this->Patches->GetBytes(nearest[i]) : 0;
       }
-      bytes += more;
-      chosen.insert(nearest[end]);
     }
     std::vector<std::uint32_t> arcs;
     for (const std::uint32_t arc : chosen)
@@ -135,7 +178,7 @@ private:
       [this](std::uint32_t a, std::uint32_t b)
       { return this->Source.GetPatchPlace(a) < this->Source.GetPatchPlace(b); });
     const std::size_t reads = (arcs.size() + ReadSize - 1) / ReadSize;
-    this->ForAll(reads, 1,
+    this->ForAll(reads,
       [&](std::size_t i, vtkMTFinestNear&)
       {
         const auto from = arcs.begin() + static_cast<std::ptrdiff_t>(i * ReadSize);
@@ -145,7 +188,19 @@ private:
     return end;
   }
 
-  vtkIdType FindOne(const Query& query, vtkMTFinestNear& near)
+  void FindGroup(
+    std::size_t group, const std::vector<Query>& queries, vtkMTFinestNear& near, std::vector<vtkIdType>& ids)
+  {
+    vtkMTFinestNear::Neighbourhood around(near, this->GetMiddle(group, queries));
+    std::uint32_t last = None; // where the place before found its triangle
+    for (std::size_t i = this->Begins[group]; i < this->Begins[group + 1] && !this->Stop; ++i)
+    {
+      ids[i] = this->FindOne(queries[i], around, last);
+      ++this->Found;
+    }
+  }
+
+  vtkIdType FindOne(const Query& query, vtkMTFinestNear::Neighbourhood& around, std::uint32_t& last)
   {
     const vtkMTGraph& graph = this->Source.GetGraph();
     vtkMTFinestPatches::Search search;
@@ -156,20 +211,45 @@ private:
     // A step more, for what is rounded on the way.
     const double reach = graph.GetDistanceToInput(query.Arc) / graph.Lattice.Step + 1.0;
     search.Reach2 = reach * reach;
-    near.Begin(query.X);
-    std::uint32_t arc = 0;
-    while (near.Next(std::sqrt(search.GetFarthest2()), arc))
+    bool good = true;
+    const std::uint32_t first = last;
+    const auto look = [&](std::uint32_t arc)
     {
-      std::string error;
-      const vtkMTFinestPatches::PatchPointer patch = this->Patches->Get(arc, error);
-      if (!patch)
+      const double bound2 = vtkMTFinestNear::GetDistance2(graph.Arcs[arc].Box, search.X) * (1.0 - Rounding);
+      if (good && bound2 <= search.GetFarthest2())
       {
-        this->Fail(error);
-        return Unknown;
+        const vtkIdType before = search.GetId();
+        good = this->LookInto(arc, search);
+        last = search.GetId() != before ? arc : last;
       }
-      patch->Find(search);
+    };
+    if (first != None)
+    {
+      look(first);
     }
-    return search.GetId();
+    around.ForAll(
+      search.X, [&] { return good ? search.GetFarthest2() : 0.0; },
+      [&](std::uint32_t arc)
+      {
+        if (arc != first)
+        {
+          look(arc);
+        }
+      });
+    return good ? search.GetId() : Unknown;
+  }
+
+  bool LookInto(std::uint32_t arc, vtkMTFinestPatches::Search& search)
+  {
+    std::string error;
+    const vtkMTFinestPatches::PatchPointer patch = this->Patches->Get(arc, error);
+    if (patch)
+    {
+      patch->Find(search);
+      return true;
+    }
+    this->Fail(error);
+    return false;
   }
 
   void Fail(const std::string& error)
@@ -181,18 +261,14 @@ private:
   //----------------------------------------------------------------------------
   using Work = std::function<void(std::size_t, vtkMTFinestNear&)>;
 
-  // Takes shares of the work until there is none.
-  void RunShares(std::size_t count, std::size_t share, const Work& work, std::atomic<std::size_t>& next,
-    vtkMTFinestNear& near, bool reports)
+  // Takes one index after the other until there is none.
+  void Run(std::size_t count, const Work& work, std::atomic<std::size_t>& next, vtkMTFinestNear& near, bool reports)
   {
     try
     {
-      for (std::size_t begin = next.fetch_add(share); begin < count && !this->Stop; begin = next.fetch_add(share))
+      for (std::size_t i = next++; i < count && !this->Stop; i = next++)
       {
-        for (std::size_t i = begin; i < std::min(begin + share, count); ++i)
-        {
-          work(i, near);
-        }
+        work(i, near);
         if (reports)
         {
           this->TellProgress();
@@ -216,11 +292,11 @@ private:
     }
   }
 
-  // Calls work for every index, by several threads where there is more than one share. The calling one tells progress
+  // Calls work for every index, by several threads where there is more than one. The calling one tells progress
   // meanwhile.
-  void ForAll(std::size_t count, std::size_t share, const Work& work)
+  void ForAll(std::size_t count, const Work& work)
   {
-    const std::size_t wanted = std::min((count + share - 1) / share, static_cast<std::size_t>(this->Threads));
+    const std::size_t wanted = std::min(count, static_cast<std::size_t>(this->Threads));
     while (this->Nears.size() < std::max<std::size_t>(wanted, 1))
     {
       this->Nears.push_back(std::make_unique<vtkMTFinestNear>(this->Source.GetGraph()));
@@ -231,7 +307,7 @@ private:
     std::vector<std::thread> threads;
     const auto run = [&](std::size_t thread)
     {
-      this->RunShares(count, share, work, next, *this->Nears[thread], false);
+      this->Run(count, work, next, *this->Nears[thread], false);
       const std::lock_guard<std::mutex> lock(this->Lock);
       --running;
       ended.notify_all();
@@ -258,9 +334,10 @@ private:
     }
     lock.unlock();
     std::for_each(threads.begin(), threads.end(), [](std::thread& thread) { thread.join(); });
-    this->RunShares(count, share, work, next, *this->Nears[0], true);
+    this->Run(count, work, next, *this->Nears[0], true);
   }
 
+  std::vector<std::size_t> Begins;                     // of groups of queries, and the end of the last one
   std::vector<std::unique_ptr<vtkMTFinestNear>> Nears; // one for each thread
   std::mutex Lock;
   std::atomic<bool> Stop{ false };

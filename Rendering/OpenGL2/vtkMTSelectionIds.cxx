@@ -14,7 +14,7 @@
 
 namespace
 {
-constexpr std::size_t MostIds = std::size_t(1) << 22;         // that are kept
+constexpr std::size_t MostIds = std::size_t(1) << 20;         // that are kept
 constexpr std::size_t MostPatchBytes = std::size_t(64) << 20; // of the finest level's patches
 constexpr unsigned int MostThreads = 4;
 }
@@ -28,7 +28,7 @@ vtkMTSelectionIds::vtkMTSelectionIds(std::shared_ptr<const vtkMTPatchSource> sou
   , Arrays(arrays)
   , Known(memory)
 {
-  if (memory.Source.lock() != this->Source || memory.Array != array || memory.Ids.size() > MostIds)
+  if (memory.Source.lock() != this->Source || memory.Array != array)
   {
     memory.Source = this->Source;
     memory.Array = array;
@@ -93,6 +93,11 @@ void vtkMTSelectionIds::TakeValues(std::uint32_t arc, const std::vector<std::uin
 void vtkMTSelectionIds::AddQueries(std::uint32_t arc, const std::vector<std::uint32_t>& tuples)
 {
   using namespace vtkMTVector;
+  const vtkMTArrayInfo::RoleType role = this->Graph.Arrays[this->Array].Role;
+  if (role != vtkMTArrayInfo::InputCellIds && role != vtkMTArrayInfo::InputPointIds)
+  {
+    return; // nothing says what its values would be here
+  }
   const vtkMTPatchCache::PatchPointer patch = this->GetPatch(arc, false);
   const bool ofPoints = this->Graph.Arrays[this->Array].Association == vtkMTArrayInfo::Point;
   const std::size_t count = !patch ? 0 : ofPoints ? patch->GetNumberOfWedges() : patch->Triangles.size();
@@ -156,6 +161,10 @@ bool vtkMTSelectionIds::FindQueries(const vtkMTInputIdFinder::Progress& progress
 bool vtkMTSelectionIds::Find(const std::vector<unsigned int>& offsets, const Pictures& pictures,
   const vtkMTInputIdFinder::Progress& progress, std::string& error)
 {
+  if (this->Known.Ids.size() > MostIds)
+  {
+    this->Known.Ids.clear();
+  }
   std::vector<std::uint64_t> keys;
   keys.reserve(offsets.size());
   for (const unsigned int at : offsets)

@@ -30,7 +30,7 @@ def hover(view, place, points):
 load_plugin()
 mesh = simple.OpenDataFile(MESH)
 model = os.path.join(OUTPUT, "without_ids.bmt")
-built = simple.MultiTriangulationFileBuilder(FileNames=[MESH], OutputFileName=model, KeepIds=0, PatchTriangles=500)
+built = simple.MultiTriangulationFileBuilder(FileNames=[MESH], OutputFileName=model, InputIds=0, PatchTriangles=500)
 built.UpdatePipeline()
 view = make_view()
 representation = plain(simple.Show(built, view))
