@@ -94,8 +94,8 @@ TEST_F(BuildOptions, IdsOfTheFinestLevelTakeLessThanHalfOfThoseOfAllLevels)
   for (const std::string which : { "none", "finest", "all", "points" })
   {
     const bool ofPoints = which == "points";
-    this->Build("sphere.ply",
-      ofPoints ? std::vector<std::string>{ "--point-ids" } : std::vector<std::string>{ "--ids", which });
+    this->Build(
+      "sphere.ply", ofPoints ? std::vector<std::string>{ "--point-ids" } : std::vector<std::string>{ "--ids", which });
     const nlohmann::json info = this->BmtJson({ "info", this->Path("out.bmt") });
     bytes[which] = info["bytes_per_triangle"];
     for (const char* name : { "vtkMTInputCellIds", "vtkMTInputPointIds" })
