@@ -127,7 +127,7 @@ public:
    * Which triangles keep the id of the input's cell that they are, or that is nearest to them, in the cell array
    * vtkMTInputCellIds: none; those of the finest level (FinestInputIds, the default), from where a pick or a selection
    * on a coarse triangle takes the nearest one's (vtkMTInputIdFinder), while the array is -1 there; or those of all
-   * levels (AllInputIds), for which the array takes twice the bytes. Clamped.
+   * levels (AllInputIds), for which the array takes three times the bytes. Clamped.
    */
   enum InputIdsType
   {
@@ -141,7 +141,7 @@ public:
 
   ///@{
   /// Whether the points of the finest level keep the input's point ids in the point array vtkMTInputPointIds; of points
-  /// of the input that are one point of the model (a soup's), the least. Default off. Takes about 0.8 bytes for each of
+  /// of the input that are one point of the model (a soup's), the least. Default off. Takes about 0.5 bytes for each of
   /// the input's triangles.
   vtkSetMacro(InputPointIds, bool);
   vtkGetMacro(InputPointIds, bool);

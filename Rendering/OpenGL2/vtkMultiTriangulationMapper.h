@@ -28,7 +28,8 @@
  * to 1, bytes and 16-bit values are converted (as VTK's DirectScalars, but for integers above 255, of which that keeps
  * the lowest byte). Where the scalar mode is the default one and no scalars are active, the first array of colours is
  * drawn, of points or else of cells. An array that carries a lookup table with annotations, as ids of groups and
- * materials do, is coloured by that table.
+ * materials do, is coloured by that table. Of arrays that the finest level alone has, as ids, coarse patches show the
+ * colour of -1.
  *
  * Arrays that are not part of the model, because a filter has added them, have values on its coarsest cut alone: they
  * are not drawn, and a warning says so once. Elevations can be, by SetColorByElevation.

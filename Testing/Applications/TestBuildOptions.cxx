@@ -86,16 +86,16 @@ TEST_F(BuildOptions, OnlyTheNamedArraysAreKept)
   EXPECT_NE(run.Err.find("\"Wrong\""), std::string::npos) << run.Err;
 }
 
-TEST_F(BuildOptions, IdsOfTheFinestLevelTakeHalfOfThoseOfAllLevels)
+TEST_F(BuildOptions, IdsOfTheFinestLevelTakeLessThanHalfOfThoseOfAllLevels)
 {
-  this->MakeSphere(81920);
+  this->MakeSphere(20480);
   std::map<std::string, double> bytes;
   std::map<std::string, double> ofIds;
   for (const std::string which : { "none", "finest", "all", "points" })
   {
     const bool ofPoints = which == "points";
-    this->Build("sphere.ply",
-      ofPoints ? std::vector<std::string>{ "--point-ids" } : std::vector<std::string>{ "--ids", which });
+    this->Build(
+      "sphere.ply", ofPoints ? std::vector<std::string>{ "--point-ids" } : std::vector<std::string>{ "--ids", which });
     const nlohmann::json info = this->BmtJson({ "info", this->Path("out.bmt") });
     bytes[which] = info["bytes_per_triangle"];
     for (const char* name : { "vtkMTInputCellIds", "vtkMTInputPointIds" })
@@ -106,9 +106,9 @@ TEST_F(BuildOptions, IdsOfTheFinestLevelTakeHalfOfThoseOfAllLevels)
     EXPECT_EQ(this->Bmt({ "verify", this->Path("out.bmt"), "--input", this->Path("sphere.ply") }).Exit, 0);
   }
   EXPECT_EQ(ofIds["none"], 0.0);
-  EXPECT_LT(ofIds["finest"], 0.6 * ofIds["all"]);
+  EXPECT_LT(ofIds["finest"], 0.5 * ofIds["all"]);
   EXPECT_GT(ofIds["points"], ofIds["finest"]);
-  EXPECT_NEAR(bytes["all"] - bytes["finest"], ofIds["all"] - ofIds["finest"], 0.05);
+  EXPECT_NEAR(bytes["all"] - bytes["finest"], ofIds["all"] - ofIds["finest"], 0.1); // and the sections' records
   EXPECT_NE(this->Bmt({ "build", this->Path("sphere.ply"), "-o", this->Path("other.bmt"), "--ids", "some" }).Exit, 0);
 }
 

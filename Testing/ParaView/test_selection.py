@@ -49,6 +49,10 @@ simple.SelectSurfaceCells(Rectangle=RECTANGLE, View=view)
 coarse = selected(reader)[2]
 check("On a coarse cut they are cells of the input, too", 0 < len(coarse) < len(cells) / 2 and max(coarse) < 81920,
       len(coarse), len(cells))
+before = save(view, "SelectionHighlightedCoarse")
+simple.ClearSelection(reader)
+changed = count_pixels(before, save(view, "SelectionNoneCoarse"), 20)
+check("On a coarse cut what is selected is highlighted, too", 0.1 * inside < changed < 5 * inside, changed, inside)
 simple.SelectSurfacePoints(Rectangle=RECTANGLE, View=view)
 check("Where no ids of points are kept nothing is selected", selected(reader)[2] == coarse or not selected(reader)[2])
 simple.ClearSelection(reader)
@@ -87,6 +91,21 @@ simple.ClearSelection(mesh)
 differ = set(points) ^ set(expected)
 check("They are what ParaView selects in the input", len(expected) > 50 and len(differ) <= len(expected) / 20,
       len(expected), len(differ))
+
+# By the input's point ids, which need not be named.
+kept = simple.MultiTriangulationBuilder(Input=mesh, InputPointIds=1, PatchTriangles=500)
+simple.Hide(mesh, view)
+shown = plain(simple.Show(kept, view))
+shown.PixelError = 0.0
+simple.Render(view)
+simple.SelectSurfacePoints(Rectangle=RECTANGLE, View=view)
+kind, array, points = selected(kept)
+check("Points are selected by the input's ids with no array named",
+      kind == "ValueSelectionSource" and array == "vtkMTInputPointIds", kind, array)
+differ = set(points) ^ set(expected)
+check("They are what ParaView selects in the input, too", len(differ) <= len(expected) / 20, len(expected), len(differ))
+simple.ClearSelection(kept)
+simple.Hide(kept, view)
 
 # A selection means the same in any cut that has the ids.
 simple.Hide(mesh, view)
