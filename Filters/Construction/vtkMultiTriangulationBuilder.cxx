@@ -355,8 +355,8 @@ std::string vtkMultiTriangulationBuilder::GetIdentity(const vtkMTTriangleStream&
     (this->MakeNormals ? "made, feature angle " + std::to_string(this->FeatureAngle) + ", " +
           std::to_string(this->NormalBits) + " bits of normals"
                        : "not made") +
-    (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") +
-    ", input ids " + std::to_string(this->InputIds) + (this->InputPointIds ? " and of points" : "") +
+    (this->KeepFarOutliers ? ", far outliers kept" : "") + (this->ExactPoints ? ", exact" : "") + ", input ids " +
+    std::to_string(this->InputIds) + (this->InputPointIds ? " and of points" : "") +
     (this->CertifyNormals ? ", normals certified" : "") + ", " + std::to_string(this->DirectLevels) +
     " direct levels; " + this->PartitionStrategy->GetSettings() + "; " + this->Simplifier->GetSettings();
 }

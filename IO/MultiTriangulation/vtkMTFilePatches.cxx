@@ -157,7 +157,8 @@ bool vtkMTFilePatches::Decode(std::uint32_t arc, const std::vector<unsigned char
   }
   for (std::size_t i = 0; i < present.size(); ++i)
   {
-    if (!present[i] && (!arrays || (*arrays)[i]) && !vtkMTPatchCodec::MayBeMissing(this->Graph, arc, this->Graph.Arrays[i]))
+    if (!present[i] && (!arrays || (*arrays)[i]) &&
+      !vtkMTPatchCodec::MayBeMissing(this->Graph, arc, this->Graph.Arrays[i]))
     {
       error = "has no section for the array \"" + this->Graph.Arrays[i].Name + "\"";
       return false;

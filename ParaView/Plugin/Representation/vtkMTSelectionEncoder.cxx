@@ -128,14 +128,19 @@ bool vtkMTSelectionEncoder::ProcessSelection(vtkSelection* rawSelection, vtkSMRe
       meaningless.emplace_back(rawSelection->GetNode(i));
     }
   }
+  bool warns = false;
   for (vtkSelectionNode* node : meaningless)
   {
+    const bool points = node->GetFieldType() == vtkSelectionNode::POINT;
+    auto* of =
+      vtkMultiTriangulationRepresentation::SafeDownCast(node->GetProperties()->Get(vtkSelectionNode::SOURCE()));
+    warns = !of || of->IsFirstWarning(points ? vtkDataObject::POINT : vtkDataObject::CELL) || warns;
     rawSelection->RemoveNode(node);
   }
-  if (!meaningless.empty())
+  if (warns)
   {
     vtkWarningMacro("Nothing is selected: the model keeps no ids of what was to be selected. Name an array of it in "
-                    "PointIdArray or CellIdArray of the representation.");
+                    "PointIdArray or CellIdArray of the representation, or build it with its input's ids.");
   }
   return this->Superclass::ProcessSelection(rawSelection, viewProxy, multipleSelectionsAllowed, selectedRepresentations,
     selectionSources, modifier, selectBlocks);

@@ -415,3 +415,12 @@ std::string vtkMultiTriangulationRepresentation::GetIdArrayName(int association)
   }
   return {};
 }
+
+//------------------------------------------------------------------------------
+bool vtkMultiTriangulationRepresentation::IsFirstWarning(int association)
+{
+  bool& has = this->HasWarned[association == vtkDataObject::POINT ? 0 : 1];
+  const bool isFirst = !has;
+  has = true;
+  return isFirst;
+}

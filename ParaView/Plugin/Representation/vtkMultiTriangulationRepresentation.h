@@ -76,7 +76,8 @@ public:
   /**
    * Names of arrays of the model whose values a selection of its points or cells gives. Default empty: the input's ids,
    * where the model keeps them, as it does those of cells. Where there is no such array, nothing is selected, with a
-   * warning: places in the coarsest mesh would mean nothing. A name of which the model has no array counts as none.
+   * warning the first time (hovering asks for selections all the time): places in the coarsest mesh would mean nothing.
+   * A name of which the model has no array counts as none.
    */
   vtkSetStdStringFromCharMacro(PointIdArray);
   vtkSetStdStringFromCharMacro(CellIdArray);
@@ -87,6 +88,8 @@ public:
   /// The name of the array that has the input's ids of points (vtkDataObject::POINT) or cells, or an empty one: what
   /// vtkMTSelectionEncoder asks for.
   std::string GetIdArrayName(int association);
+  /// Whether this is the first time that it is asked of points or of cells.
+  bool IsFirstWarning(int association);
 
   ///@{
   /// How the surface is drawn: POINTS, WIREFRAME, SURFACE (the default) or SURFACE_WITH_EDGES. Clamped.
@@ -171,6 +174,7 @@ private:
   int Style = SURFACE;
   std::string PointIdArray;
   std::string CellIdArray;
+  std::array<bool, 2> HasWarned{}; // of points, of cells
   bool Clips = false;
   vtkNew<vtkPlane> ClippingPlane;
   std::vector<std::array<double, 6>> RankPlanes; // where the view puts ranks in an order
