@@ -50,7 +50,8 @@ struct VTKMTCORE_EXPORT vtkMTPatch
 
   std::size_t GetNumberOfWedges() const
   {
-    return this->WedgePoints.empty() ? this->Points.size() : this->WedgePoints.size();
+    const std::size_t wedges = this->WedgePoints.size();
+    return wedges > 0 ? wedges : this->Points.size();
   }
   std::uint32_t GetPointOfWedge(std::uint32_t wedge) const
   {
