@@ -34,7 +34,7 @@ namespace
 {
 using Builder = vtkMultiTriangulationFileBuilder;
 
-struct Options
+struct BuildOptions
 {
   vtkNew<Builder> Settings; // by the options that are not kept here
   bmtInput Input;
@@ -65,7 +65,7 @@ vtkTypeInt64 ParseSize(const std::string& text)
   throw bmtError("\"" + text + "\" is no size; say 512MiB, 1.5GiB or a number of bytes");
 }
 
-void ConfigureInput(const Options& options, Builder* builder)
+void ConfigureInput(const BuildOptions& options, Builder* builder)
 {
   for (const std::string& path : options.Input.Paths)
   {
@@ -85,7 +85,7 @@ void ConfigureInput(const Options& options, Builder* builder)
   }
 }
 
-void Configure(const Options& options, Builder* builder)
+void Configure(const BuildOptions& options, Builder* builder)
 {
   ConfigureInput(options, builder);
   builder->SetOutputFileName(options.Output.c_str());
@@ -196,7 +196,7 @@ void Run(Builder* builder)
   }
 }
 
-bmtJson Build(const Options& options)
+bmtJson Build(const BuildOptions& options)
 {
   Builder* builder = options.Settings;
   Configure(options, builder);
@@ -274,7 +274,7 @@ void AddSettings(CLI::App& command, Builder* builder)
     "Folder for temporary files; default: that of the output");
 }
 
-void AddOptions(CLI::App& command, Options& options)
+void AddOptions(CLI::App& command, BuildOptions& options)
 {
   command.add_option("INPUT", options.Input.Paths, std::string("What to build from: ") + bmtGetInputKinds())
     ->required();
@@ -297,7 +297,7 @@ void AddOptions(CLI::App& command, Options& options)
 
 void bmtAddBuild(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildOptions>();
   CLI::App* command = app.add_subcommand("build", "Build a Multi-Triangulation file from a mesh");
   command->footer(
     "Several inputs become one model with a cell array PartId (0, 1 ... in the order of the command line). Parts that\n"

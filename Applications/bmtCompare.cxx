@@ -15,7 +15,7 @@
 
 namespace
 {
-struct Options
+struct CompareOptions
 {
   std::string A;
   std::string B;
@@ -41,7 +41,7 @@ vtkMTSampledSurface ReadSurface(const std::string& path, bmtInput input)
   return surface;
 }
 
-bmtJson Compare(const Options& options)
+bmtJson Compare(const CompareOptions& options)
 {
   vtkMTSampledSurface a = ReadSurface(options.A, options.Input);
   vtkMTSampledSurface b = ReadSurface(options.B, options.Input);
@@ -76,7 +76,7 @@ bmtJson Compare(const Options& options)
 
 void bmtAddCompare(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Measure the two-sided distance between two meshes");
   command->footer(
     "Distances go from area-weighted samples and from all vertices of one surface to the closest point of the other,\n"

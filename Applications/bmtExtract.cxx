@@ -23,7 +23,7 @@
 
 namespace
 {
-struct Options
+struct ExtractOptions
 {
   std::string File;
   std::string Output;
@@ -53,7 +53,7 @@ private:
   vtkNew<vtkCallbackCommand> Command;
 };
 
-void ChooseCut(const Options& options, vtkMultiTriangulationCutFilter* filter)
+void ChooseCut(const ExtractOptions& options, vtkMultiTriangulationCutFilter* filter)
 {
   if (options.HasTriangles->count() > 0)
   {
@@ -135,7 +135,7 @@ bmtJson ExtractBlobs(const vtkMTPatchSource& source, const std::string& folder)
   return list;
 }
 
-bmtJson ExtractCut(const Options& options, const std::shared_ptr<const vtkMTPatchSource>& source)
+bmtJson ExtractCut(const ExtractOptions& options, const std::shared_ptr<const vtkMTPatchSource>& source)
 {
   bmtRequireWritable(options.Output);
   bmtRequireMeshEnding(options.Output);
@@ -170,13 +170,13 @@ bmtJson ExtractCut(const Options& options, const std::shared_ptr<const vtkMTPatc
   return result;
 }
 
-bool HasCut(const Options& options)
+bool HasCut(const ExtractOptions& options)
 {
   return options.HasTriangles->count() + options.HasError->count() + options.HasLevel->count() > 0;
 }
 
 // A cut and the mesh to write it to go together; textures may be all that is wanted.
-void CheckUsage(const Options& options)
+void CheckUsage(const ExtractOptions& options)
 {
   const bool hasCut = HasCut(options);
   if (hasCut && options.Output.empty())
@@ -190,7 +190,7 @@ void CheckUsage(const Options& options)
   }
 }
 
-bmtJson Extract(const Options& options)
+bmtJson Extract(const ExtractOptions& options)
 {
   const bool hasCut = HasCut(options);
   const double start = bmtWallSeconds();
@@ -211,7 +211,7 @@ bmtJson Extract(const Options& options)
 
 void bmtAddExtract(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExtractOptions>();
   CLI::App* command = app.add_subcommand("extract", "Write one cut as a conforming, welded mesh");
   command->footer(
     "A point appears more than once only where its attribute values differ (wedges). Where N is 50 mean patches or\n"

@@ -12,7 +12,7 @@
 
 namespace
 {
-struct Options
+struct GenerateOptions
 {
   std::string Kind;
   std::uint64_t Triangles = 0;
@@ -20,7 +20,7 @@ struct Options
   std::string Output;
 };
 
-std::unique_ptr<vtkMTTriangleStream> MakeStream(const Options& options)
+std::unique_ptr<vtkMTTriangleStream> MakeStream(const GenerateOptions& options)
 {
   if (options.Kind == "plane")
   {
@@ -29,7 +29,7 @@ std::unique_ptr<vtkMTTriangleStream> MakeStream(const Options& options)
   return std::make_unique<vtkMTFractalSphere>(options.Triangles, options.Seed);
 }
 
-bmtJson Generate(const Options& options)
+bmtJson Generate(const GenerateOptions& options)
 {
   bmtRequireWritable(options.Output);
   if (bmtGetEnding(options.Output) != ".ply")
@@ -63,7 +63,7 @@ bmtJson Generate(const Options& options)
 
 void bmtAddGenerate(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "Write a test mesh of any size");
   command->footer(
     "fractal-sphere: a unit icosphere of 20 * 4^k triangles, k chosen nearest to N, with fractal noise of eight "

@@ -10,7 +10,7 @@
 
 namespace
 {
-struct Options : bmtSceneOptions
+struct RenderOptions : bmtSceneOptions
 {
   std::string File;
   std::string Output;
@@ -24,7 +24,7 @@ double RenderOnce(bmtScene& scene)
   return 1e3 * (bmtWallSeconds() - start);
 }
 
-bmtJson RenderPicture(const Options& options)
+bmtJson RenderPicture(const RenderOptions& options)
 {
   bmtScene scene(options);
   scene.ShowModel(scene.Models->AddItem(), options.File);
@@ -53,7 +53,7 @@ bmtJson RenderPicture(const Options& options)
 
 void bmtAddRender(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a Multi-Triangulation into a PNG file");
   command->footer(
     "pixel_error is certified: nothing in the picture is farther, in pixels, from where the input would put it. "

@@ -18,7 +18,7 @@
 
 namespace
 {
-struct Options
+struct VerifyOptions
 {
   std::string File;
   bmtInput Input;
@@ -125,7 +125,7 @@ std::unique_ptr<vtkMTTriangleStream> OpenInput(const bmtInput& input, std::strin
   }
 }
 
-bmtJson Verify(const Options& options)
+bmtJson Verify(const VerifyOptions& options)
 {
   std::shared_ptr<const vtkMTPatchSource> source;
   try
@@ -167,7 +167,7 @@ bmtJson Verify(const Options& options)
   return Describe(verifier);
 }
 
-int Report(const Options& options, const bmtContext& context, const bmtJson& result)
+int Report(const VerifyOptions& options, const bmtContext& context, const bmtJson& result)
 {
   bmtPrint(context, result);
   for (const bmtJson& check : result["checks"])
@@ -185,7 +185,7 @@ int Report(const Options& options, const bmtContext& context, const bmtJson& res
 
 void bmtAddVerify(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand("verify", "Check a Multi-Triangulation file, and its certified errors");
   command->footer(
     "Checks: checksums (every block is read), graph, patches, nesting, pasting, conformity of random cuts and, with\n"

@@ -22,7 +22,7 @@
 
 namespace
 {
-struct Options : bmtSceneOptions
+struct ViewOptions : bmtSceneOptions
 {
   bmtInput Input; // its paths are the files, each of which is an input of its own
   std::string Output;
@@ -35,7 +35,7 @@ struct Options : bmtSceneOptions
   bool OffScreen = false;
 };
 
-std::vector<vtkMTInputSettings> FindMeshes(const Options& options, std::vector<std::size_t>& places)
+std::vector<vtkMTInputSettings> FindMeshes(const ViewOptions& options, std::vector<std::size_t>& places)
 {
   std::vector<vtkMTInputSettings> meshes;
   for (std::size_t i = 0; i < options.Input.Paths.size(); ++i)
@@ -63,7 +63,7 @@ std::vector<vtkMTInputSettings> FindMeshes(const Options& options, std::vector<s
 class Viewer
 {
 public:
-  explicit Viewer(const Options& options)
+  explicit Viewer(const ViewOptions& options)
     : Settings(options)
     , Scene(options)
   {
@@ -234,7 +234,7 @@ private:
     }
   }
 
-  const Options& Settings;
+  const ViewOptions& Settings;
   std::vector<std::size_t> Meshes; // which of the files they are
   vtkMTBackgroundBuild Build;
   bmtScene Scene;
@@ -248,7 +248,7 @@ private:
   std::exception_ptr Problem;
 };
 
-void AddOptions(CLI::App& command, Options& options)
+void AddOptions(CLI::App& command, ViewOptions& options)
 {
   command
     .add_option("FILE", options.Input.Paths, "Multi-Triangulation files, and meshes, which are built in the background")
@@ -277,7 +277,7 @@ void AddOptions(CLI::App& command, Options& options)
 
 void bmtAddView(CLI::App& app, bmtContext& context)
 {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand("view", "Look at Multi-Triangulations and meshes in a window");
   command->footer(
     "Turn with the left mouse button, move with the middle one, zoom with the right one or the wheel. Keys:\n" +

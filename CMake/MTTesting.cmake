@@ -138,5 +138,6 @@ function (mt_add_script_test name)
     list(PREPEND arg_COMMAND "${MT_WITH_DISPLAY}")
   endif ()
   add_test(NAME ${name} COMMAND ${arg_COMMAND})
-  set_tests_properties(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 900)
+  # Scripts run for long: they begin before the unit tests, so that none runs alone at the end.
+  set_tests_properties(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 900 COST 100)
 endfunction ()

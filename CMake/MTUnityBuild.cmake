@@ -73,7 +73,6 @@ endfunction ()
 # Tests of one program whose names in unnamed namespaces meet those of others.
 set(mt_single_tests
   Certification/TestTriangleDeviation.cxx
-  Construction/TestExactPoints.cxx
   Construction/TestFarOutliers.cxx
   Construction/TestInputIds.cxx
   Construction/TestOutOfCore.cxx
@@ -82,15 +81,8 @@ set(mt_single_tests
   IO/TestGolden.cxx
   IOMesh/TestMeshReader.cxx
   IOMesh/TestObjReader.cxx
-  Rendering/TestMapperAgainstPolyDataMapper.cxx
-  Rendering/TestMapperInputIds.cxx
-  Rendering/TestMapperLimits.cxx
-  Rendering/TestMapperPasses.cxx
-  Rendering/TestMapperPicking.cxx
   Rendering/TestMapperPlacement.cxx
   Rendering/TestMapperPrecision.cxx
-  Rendering/TestMapperSharing.cxx
-  Rendering/TestMapperValues.cxx
   RenderingCore/TestPatchLoader.cxx
   RenderingCore/TestTargetCutView.cxx
   Simplification/TestModes.cxx

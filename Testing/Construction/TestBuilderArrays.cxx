@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What becomes of the input's arrays, ids and normals on the way to the cuts.
+#include "MTCuts.h"
+
 #include "vtkMTAssembler.h"
 #include "vtkMTCut.h"
 #include "vtkMTGraph.h"
@@ -85,21 +87,6 @@ std::shared_ptr<const vtkMTPatchSource> Build(vtkPolyData* input, int patchTrian
   return vtkMultiTriangulation::SafeDownCast(builder->GetOutputDataObject(0))->GetSource();
 }
 
-void Convert(const vtkMTPatchSource& source, const vtkMTCut& cut, vtkPolyData* output)
-{
-  std::string error;
-  ASSERT_TRUE(vtkMultiTriangulation::CutToPolyData(source, cut, output, error)) << error;
-}
-
-vtkMTCut GetFinestCut(const vtkMTGraph& graph)
-{
-  vtkMTCut cut(graph);
-  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
-  {
-    EXPECT_TRUE(cut.Refine(node));
-  }
-  return cut;
-}
 }
 
 TEST(BuilderArrays, FinestLevelKeepsEveryCellAndValue)
@@ -122,8 +109,7 @@ TEST(BuilderArrays, FinestLevelKeepsEveryCellAndValue)
   input->GetPointData()->SetScalars(colour);
   input->GetCellData()->AddArray(label);
   const auto source = Build(input, 200);
-  vtkNew<vtkPolyData> finest;
-  Convert(*source, GetFinestCut(source->GetGraph()), finest);
+  const auto finest = MTCuts::GetFinestMesh(*source);
   ASSERT_EQ(finest->GetNumberOfCells(), input->GetNumberOfCells());
   auto* ids = vtkIdTypeArray::SafeDownCast(finest->GetCellData()->GetArray("vtkMTInputCellIds"));
   auto* labels = vtkIntArray::SafeDownCast(finest->GetCellData()->GetArray("Label"));
@@ -175,8 +161,7 @@ TEST(BuilderArrays, MadeNormalsAreOneForEachPointInEveryCut)
     }
     // Wedges of a point are merged when their values are equal bit for bit: none may be left over.
     EXPECT_EQ(assembler.GetMesh().GetNumberOfWedges(), assembler.GetMesh().Points.size());
-    vtkNew<vtkPolyData> mesh;
-    Convert(*source, cut, mesh);
+    const auto mesh = MTCuts::GetMesh(*source, cut);
     vtkDataArray* normals = mesh->GetPointData()->GetNormals();
     ASSERT_TRUE(normals);
     for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
@@ -260,8 +245,7 @@ TEST(BuilderArrays, LabelsAndIdsAreNeverMixed)
   }
   input->GetPointData()->AddArray(label);
   const auto source = Build(input, 100);
-  vtkNew<vtkPolyData> coarse;
-  Convert(*source, vtkMTCut(source->GetGraph()), coarse);
+  const auto coarse = MTCuts::GetMesh(*source, vtkMTCut(source->GetGraph()));
   auto* labels = vtkIntArray::SafeDownCast(coarse->GetPointData()->GetArray("Label"));
   ASSERT_TRUE(labels);
   for (vtkIdType p = 0; p < coarse->GetNumberOfPoints(); ++p)
@@ -280,8 +264,7 @@ TEST(BuilderArrays, SeamStaysASeamAndDoesNotCrack)
   double widest = 0.0;
   for (std::size_t i = 0; i < 40; ++i)
   {
-    vtkNew<vtkPolyData> mesh;
-    Convert(*source, i == 0 ? vtkMTCut(graph) : vtkMTRandomCut::Make(graph, 2, i), mesh);
+    const auto mesh = MTCuts::GetMesh(*source, i == 0 ? vtkMTCut(graph) : vtkMTRandomCut::Make(graph, 2, i));
     vtkDataArray* texture = mesh->GetPointData()->GetTCoords();
     ASSERT_TRUE(texture);
     for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)

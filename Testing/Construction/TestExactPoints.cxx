@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Level 0 keeps the input's coordinates bit for bit when it is asked to, at any size and place.
+#include "MTCuts.h"
 #include "MTTestMeshes.h"
 
 #include "vtkMTCut.h"
@@ -8,7 +9,6 @@
 #include "vtkMTPatchStore.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTValidate.h"
-#include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationBuilder.h"
 
 #include "vtkCellData.h"
@@ -68,16 +68,6 @@ bool Build(vtkPolyData* input, int bits, bool isExact, vtkMTPatchStore& store)
   return built;
 }
 
-vtkMTCut GetFinestCut(const vtkMTGraph& graph)
-{
-  vtkMTCut cut(graph);
-  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
-  {
-    EXPECT_TRUE(cut.Refine(node));
-  }
-  return cut;
-}
-
 // Coordinates of corners that differ from those of the input's triangle, and the largest difference.
 std::pair<int, double> CountDifferences(vtkPolyData* input, vtkPolyData* output)
 {
@@ -127,9 +117,7 @@ TEST(ExactPoints, FinestLevelGivesTheInputsBitsBack)
       SCOPED_TRACE(std::string(c.Name) + ", " + std::to_string(bits) + " bits");
       vtkMTPatchStore store;
       ASSERT_TRUE(Build(input, bits, true, store));
-      vtkNew<vtkPolyData> finest;
-      std::string error;
-      ASSERT_TRUE(vtkMultiTriangulation::CutToPolyData(store, GetFinestCut(store.GetGraph()), finest, error)) << error;
+      const auto finest = MTCuts::GetFinestMesh(store);
       ASSERT_GT(finest->GetNumberOfCells(), input->GetNumberOfCells() / 2); // few bits make slivers degenerate
       EXPECT_EQ(CountDifferences(input, finest).first, 0);
       EXPECT_EQ(finest->GetPoints()->GetDataType(), c.Type);
@@ -143,9 +131,7 @@ TEST(ExactPoints, WithoutThemTheFinestLevelIsOnTheLattice)
   const auto input = MakeInput(VTK_FLOAT, 1.0, 0.0);
   vtkMTPatchStore store;
   ASSERT_TRUE(Build(input, 14, false, store));
-  vtkNew<vtkPolyData> finest;
-  std::string error;
-  ASSERT_TRUE(vtkMultiTriangulation::CutToPolyData(store, GetFinestCut(store.GetGraph()), finest, error)) << error;
+  const auto finest = MTCuts::GetFinestMesh(store);
   const auto [different, largest] = CountDifferences(input, finest);
   std::printf("%d coordinates differ, by %.3g at most\n", different, largest);
   EXPECT_GT(different, 1000);
@@ -189,9 +175,7 @@ TEST(ExactPoints, OnlyPatchesOfLevelZeroHaveThem)
       }
     }
   }
-  vtkNew<vtkPolyData> output;
-  std::string error;
-  ASSERT_TRUE(vtkMultiTriangulation::CutToPolyData(exact, mixed, output, error)) << error;
+  const auto output = MTCuts::GetMesh(exact, mixed);
   EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which patches have the input's ids, and that they are the input's.
+#include "MTCuts.h"
 #include "MTTestMeshes.h"
 
 #include "vtkMTCut.h"
@@ -8,7 +9,6 @@
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTRandomCut.h"
 #include "vtkMTValidate.h"
-#include "vtkMultiTriangulation.h"
 #include "vtkMultiTriangulationBuilder.h"
 
 #include <gtest/gtest.h>
@@ -42,24 +42,6 @@ int FindRole(const vtkMTGraph& graph, vtkMTArrayInfo::RoleType role)
     }
   }
   return -1;
-}
-
-vtkSmartPointer<vtkPolyData> GetMesh(const vtkMTPatchStore& store, const vtkMTCut& cut)
-{
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  std::string error;
-  EXPECT_TRUE(vtkMultiTriangulation::CutToPolyData(store, cut, mesh, error)) << error;
-  return mesh;
-}
-
-vtkMTCut GetFinestCut(const vtkMTGraph& graph)
-{
-  vtkMTCut cut(graph);
-  for (std::uint32_t node = 1; node < graph.GetSink(); ++node)
-  {
-    EXPECT_TRUE(cut.Refine(node));
-  }
-  return cut;
 }
 
 vtkIdTypeArray* GetIds(vtkDataSetAttributes* attributes, const char* name)
@@ -127,7 +109,7 @@ TEST(InputIds, OnTheFinestLevelAreThoseOfTheInputsCellsAndPoints)
   const auto input = MTTestMeshes::FractalSphere(4);
   vtkMTPatchStore store;
   Build(input, Builder::FinestInputIds, true, store);
-  const auto mesh = GetMesh(store, GetFinestCut(store.GetGraph()));
+  const auto mesh = MTCuts::GetFinestMesh(store);
   vtkIdTypeArray* cells = GetIds(mesh->GetCellData(), "vtkMTInputCellIds");
   vtkIdTypeArray* points = GetIds(mesh->GetPointData(), "vtkMTInputPointIds");
   ASSERT_TRUE(cells && points);
@@ -155,9 +137,8 @@ TEST(InputIds, OfPointsThatWereStitchedAreTheLeast)
   Build(soup, Builder::FinestInputIds, true, store);
   vtkMTPatchStore without;
   Build(soup, Builder::FinestInputIds, false, without);
-  const auto mesh = GetMesh(store, GetFinestCut(store.GetGraph()));
-  EXPECT_EQ(mesh->GetNumberOfPoints(), GetMesh(without, GetFinestCut(without.GetGraph()))->GetNumberOfPoints())
-    << "ids make no wedges";
+  const auto mesh = MTCuts::GetFinestMesh(store);
+  EXPECT_EQ(mesh->GetNumberOfPoints(), MTCuts::GetFinestMesh(without)->GetNumberOfPoints()) << "ids make no wedges";
   vtkIdTypeArray* points = GetIds(mesh->GetPointData(), "vtkMTInputPointIds");
   std::set<vtkIdType> ids;
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
@@ -193,7 +174,7 @@ TEST(InputIds, OfMixedCutsAreTheInputsOrMinusOne)
   for (std::size_t i = 0; i < 24; ++i)
   {
     const vtkMTCut cut = i == 0 ? vtkMTCut(graph) : vtkMTRandomCut::Make(graph, 3, i);
-    const auto mesh = GetMesh(store, cut);
+    const auto mesh = MTCuts::GetMesh(store, cut);
     vtkIdTypeArray* cells = GetIds(mesh->GetCellData(), "vtkMTInputCellIds");
     vtkIdTypeArray* points = GetIds(mesh->GetPointData(), "vtkMTInputPointIds");
     ASSERT_TRUE(cells && points);

@@ -6,7 +6,11 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchStore.h"
+#include "vtkMultiTriangulation.h"
+#include "vtkMultiTriangulationMapper.h"
 #include "vtkType.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -338,4 +342,20 @@ double MTGridModel::GetHeight(double u, double v)
 std::shared_ptr<vtkMTPatchStore> MTGridModel::Make() const
 {
   return Maker(*this).Make();
+}
+
+vtkSmartPointer<vtkMultiTriangulation> MTGridModel::MakeData() const
+{
+  auto data = vtkSmartPointer<vtkMultiTriangulation>::New();
+  EXPECT_TRUE(data->SetSource(this->Make()));
+  return data;
+}
+
+vtkSmartPointer<vtkMultiTriangulationMapper> MTGridModel::MakeMapper(vtkPolyData* input, double pixelError)
+{
+  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
+  mapper->SetInputData(input);
+  mapper->SetPixelError(pixelError);
+  mapper->SetScalarRange(-0.15, 0.15);
+  return mapper;
 }

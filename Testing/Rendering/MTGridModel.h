@@ -4,10 +4,15 @@
 #ifndef MTGridModel_h
 #define MTGridModel_h
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <memory>
 
 class vtkMTPatchStore;
+class vtkMultiTriangulation;
+class vtkMultiTriangulationMapper;
+class vtkPolyData;
 
 struct MTGridModel
 {
@@ -22,6 +27,12 @@ struct MTGridModel
   // Arrays: point Elevation (float, the active scalars), Color (RGBA bytes), TCoords, Normals; cell Block (int),
   // CellIds.
   std::shared_ptr<vtkMTPatchStore> Make() const;
+
+  // The same as what a pipeline carries.
+  vtkSmartPointer<vtkMultiTriangulation> MakeData() const;
+
+  // A mapper of such a model (or of another input), which colours by its elevation.
+  static vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(vtkPolyData* input, double pixelError);
 
   // Height over the unit square for a side of 1.
   static double GetHeight(double u, double v);

@@ -2,6 +2,9 @@
 #include "MTPicture.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkHardwareSelector.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
 #include "vtkPNGReader.h"
@@ -9,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -44,6 +49,33 @@ vtkSmartPointer<vtkImageData> MTScene::Render()
   picture->SetDimensions(size[0], size[1], 1);
   picture->GetPointData()->SetScalars(pixels);
   return picture;
+}
+
+void MTScene::LookFromTheSide(double zoom)
+{
+  this->Renderer->ResetCamera();
+  this->Renderer->GetActiveCamera()->Elevation(-50.0);
+  this->Renderer->GetActiveCamera()->Zoom(zoom);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+std::set<vtkIdType> MTScene::Select(int association, const unsigned int (&area)[4])
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(this->Renderer);
+  selector->SetFieldAssociation(association);
+  selector->SetArea(area[0], area[1], area[2], area[3]);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  std::set<vtkIdType> ids;
+  for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
+  {
+    auto* list = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
+    for (vtkIdType i = 0; i < list->GetNumberOfValues(); ++i)
+    {
+      ids.insert(list->GetValue(i));
+    }
+  }
+  return ids;
 }
 
 MTDifference MTDifference::Compare(vtkImageData* a, vtkImageData* b)

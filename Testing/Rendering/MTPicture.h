@@ -5,9 +5,11 @@
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 
 class vtkActor;
@@ -24,6 +26,12 @@ public:
   ~MTScene();
 
   vtkSmartPointer<vtkImageData> Render();
+
+  // All of it from above one side, aslant; a smaller zoom is farther away.
+  void LookFromTheSide(double zoom = 1.3);
+
+  // What a hardware selector finds in an area (the least and largest column and row), as ids.
+  std::set<vtkIdType> Select(int association, const unsigned int (&area)[4]);
 
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;

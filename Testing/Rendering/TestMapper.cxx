@@ -37,30 +37,6 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulation> MakeInput(const MTGridModel& model = MTGridModel())
-{
-  auto input = vtkSmartPointer<vtkMultiTriangulation>::New();
-  input->SetSource(model.Make());
-  return input;
-}
-
-vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(vtkPolyData* input, double pixelError = 0.8)
-{
-  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
-  mapper->SetInputData(input);
-  mapper->SetPixelError(pixelError);
-  mapper->SetScalarRange(-0.15, 0.15);
-  return mapper;
-}
-
-void LookFromTheSide(MTScene& scene, double zoom = 1.3)
-{
-  scene.Renderer->ResetCamera();
-  scene.Renderer->GetActiveCamera()->Elevation(-50.0);
-  scene.Renderer->GetActiveCamera()->Zoom(zoom);
-  scene.Renderer->ResetCameraClippingRange();
-}
-
 // Close above one corner, most of the model out of sight.
 void LookClosely(MTScene& scene)
 {
@@ -138,9 +114,9 @@ private:
 
 TEST(Mapper, RefinesMoreWhereTheCameraIsNear)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene, 0.2);
+  scene.LookFromTheSide(0.2);
   scene.Render();
   const vtkIdType far = mapper->GetNumberOfTriangles();
   scene.Renderer->GetActiveCamera()->Zoom(5.0);
@@ -152,9 +128,9 @@ TEST(Mapper, RefinesMoreWhereTheCameraIsNear)
 
 TEST(Mapper, KeepsThePixelErrorItPromises)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   vtkIdType last = VTK_ID_MAX;
   for (const double error : { 0.25, 0.5, 1.0, 2.0, 4.0, 8.0 })
   {
@@ -171,9 +147,9 @@ TEST(Mapper, KeepsThePixelErrorItPromises)
 
 TEST(Mapper, NeverDrawsMoreTrianglesThanTheBudget)
 {
-  const auto mapper = MakeMapper(MakeInput(), 0.0);
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   for (const vtkIdType budget : { 1000, 3000, 7777, 20000 })
   {
     mapper->SetTriangleLimit(budget);
@@ -187,7 +163,7 @@ TEST(Mapper, NeverDrawsMoreTrianglesThanTheBudget)
 
 TEST(Mapper, CullingChangesNoPixel)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
   LookClosely(scene);
   const auto culled = scene.Render();
@@ -204,13 +180,13 @@ TEST(Mapper, CullingChangesNoPixel)
 
 TEST(Mapper, FrozenCutStaysWhileTheCameraMoves)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
   LookClosely(scene);
   scene.Render();
   const vtkIdType refined = mapper->GetNumberOfRefinedNodes();
   mapper->FreezeCutOn();
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto picture = scene.Render();
   EXPECT_EQ(mapper->GetNumberOfRefinedNodes(), refined);
   const MTDifference difference = CompareWithPolyDataMapper(mapper, scene, picture);
@@ -223,7 +199,7 @@ TEST(Mapper, FrozenCutStaysWhileTheCameraMoves)
 
 TEST(Mapper, UnevenCutsHaveNoCracks)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   mapper->ScalarVisibilityOff();
   MTScene scene(mapper);
   LookClosely(scene);
@@ -254,9 +230,9 @@ TEST(Mapper, UnevenCutsHaveNoCracks)
 
 TEST(Mapper, LookupTableChangeReadsNothingAndUploadsColorsOnly)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto before = scene.Render();
   const vtkIdType reads = mapper->GetNumberOfReads();
   const vtkIdType uploaded = mapper->GetNumberOfUploadedBytes();
@@ -272,9 +248,9 @@ TEST(Mapper, LookupTableChangeReadsNothingAndUploadsColorsOnly)
 
 TEST(Mapper, StillViewUploadsNothingInTheNextFrame)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto first = scene.Render();
   const vtkIdType uploaded = mapper->GetNumberOfUploadedBytes();
   const auto second = scene.Render();
@@ -284,9 +260,9 @@ TEST(Mapper, StillViewUploadsNothingInTheNextFrame)
 
 TEST(Mapper, ArrayChangesShowInTheNextFrame)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   const auto check = [&](const std::string& what)
   {
@@ -319,11 +295,11 @@ TEST(Mapper, ArrayChangesShowInTheNextFrame)
 
 TEST(Mapper, SecondWindowShowsTheSame)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene first(mapper);
   MTScene second(mapper);
-  LookFromTheSide(first);
-  LookFromTheSide(second);
+  first.LookFromTheSide();
+  second.LookFromTheSide();
   const auto a = first.Render();
   const auto b = second.Render();
   const auto c = first.Render();
@@ -333,7 +309,7 @@ TEST(Mapper, SecondWindowShowsTheSame)
 
 TEST(Mapper, TwoRenderersHaveTheirOwnCuts)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
   scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
   vtkNew<vtkRenderer> other;
@@ -352,9 +328,9 @@ TEST(Mapper, TwoRenderersHaveTheirOwnCuts)
 
 TEST(Mapper, DrawsAgainAfterReleasingGraphicsResources)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto before = scene.Render();
   EXPECT_GT(mapper->GetGraphicsMemory(), 0);
   mapper->ReleaseGraphicsResources(scene.Window);
@@ -365,24 +341,24 @@ TEST(Mapper, DrawsAgainAfterReleasingGraphicsResources)
 
 TEST(Mapper, OutlivesItsWindow)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   {
     MTScene scene(mapper);
-    LookFromTheSide(scene);
+    scene.LookFromTheSide();
     scene.Render();
   }
   EXPECT_EQ(mapper->GetGraphicsMemory(), 0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   EXPECT_GT(mapper->GetGraphicsMemory(), 0);
 }
 
 TEST(Mapper, WindowOutlivesIt)
 {
-  auto mapper = MakeMapper(MakeInput());
+  auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   scene.Actor->SetMapper(nullptr);
   scene.Mapper = nullptr;
@@ -394,7 +370,7 @@ TEST(Mapper, PlainPolyDataIsDrawnAsEver)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->Update();
-  const auto mapper = MakeMapper(sphere->GetOutput());
+  const auto mapper = MTGridModel::MakeMapper(sphere->GetOutput(), 0.8);
   MTScene scene(mapper);
   const auto picture = scene.Render();
   vtkNew<vtkPolyDataMapper> reference;
@@ -407,13 +383,13 @@ TEST(Mapper, InputMayChangeBetweenModelsAndPolyData)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->Update();
-  const auto input = MakeInput();
-  const auto mapper = MakeMapper(input);
+  const auto input = MTGridModel().MakeData();
+  const auto mapper = MTGridModel::MakeMapper(input, 0.8);
   mapper->SetScalarModeToUseCellFieldData();
   mapper->SelectColorArray("Block");
   mapper->SetScalarRange(0.0, 63.0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto first = scene.Render();
   vtkNew<vtkPolyData> mesh;
   ASSERT_TRUE(mapper->GetCut(mesh));
@@ -436,10 +412,10 @@ TEST(Mapper, UnreadablePatchLeavesTheCoarserOneAndIsNamedOnce)
   source->Truncated.insert(static_cast<std::uint32_t>(graph.Arcs.size() / 2));
   vtkNew<vtkMultiTriangulation> input;
   ASSERT_TRUE(input->SetSource(source));
-  const auto mapper = MakeMapper(input, 0.0);
+  const auto mapper = MTGridModel::MakeMapper(input, 0.0);
   Errors errors(mapper);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto picture = scene.Render();
   ASSERT_EQ(errors.Messages.size(), 2u);
   for (const std::string& message : errors.Messages)
@@ -457,8 +433,8 @@ TEST(Mapper, UnreadablePatchLeavesTheCoarserOneAndIsNamedOnce)
 
 TEST(Mapper, BoundsAreTheModelsAndNotTheCoarsestCuts)
 {
-  const auto input = MakeInput();
-  const auto mapper = MakeMapper(input);
+  const auto input = MTGridModel().MakeData();
+  const auto mapper = MTGridModel::MakeMapper(input, 0.8);
   double bounds[6];
   input->GetSource()->GetGraph().GetBounds(bounds);
   for (int i = 0; i < 6; ++i)
@@ -469,29 +445,29 @@ TEST(Mapper, BoundsAreTheModelsAndNotTheCoarsestCuts)
 
 TEST(Mapper, ShallowCopyDrawsTheSame)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   mapper->SetTriangleLimit(5000);
   mapper->SetColorByToLevel();
   vtkNew<vtkMultiTriangulationMapper> copy;
   copy->ShallowCopy(mapper);
   MTScene a(mapper);
   MTScene b(copy);
-  LookFromTheSide(a);
-  LookFromTheSide(b);
+  a.LookFromTheSide();
+  b.LookFromTheSide();
   EXPECT_EQ(MTDifference::Compare(a.Render(), b.Render()).Pixels, 0u);
   EXPECT_EQ(mapper->GetNumberOfTriangles(), copy->GetNumberOfTriangles());
 }
 
 TEST(Mapper, SmallMemoryLimitDrawsTheSame)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto picture = scene.Render();
-  const auto small = MakeMapper(MakeInput());
+  const auto small = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   small->SetPatchMemoryLimit(100000);
   MTScene other(small);
-  LookFromTheSide(other);
+  other.LookFromTheSide();
   EXPECT_EQ(MTDifference::Compare(other.Render(), picture).Pixels, 0u);
   std::cout << small->GetPatchMemory() << " of " << mapper->GetPatchMemory() << " bytes kept\n";
   EXPECT_LE(small->GetPatchMemory(), 100000);
@@ -500,7 +476,7 @@ TEST(Mapper, SmallMemoryLimitDrawsTheSame)
 
 TEST(Mapper, StereoShowsBothEyesOneCut)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
   LookClosely(scene);
   scene.Window->StereoRenderOn();
@@ -523,7 +499,7 @@ TEST(Mapper, StereoShowsBothEyesOneCut)
 
 TEST(Mapper, TilesOfALargePictureFitTogether)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   mapper->SetPixelError(0.0); // the same cut in every tile
   vtkNew<vtkPolyData> mesh;
   vtkSmartPointer<vtkImageData> pictures[2];
@@ -533,7 +509,7 @@ TEST(Mapper, TilesOfALargePictureFitTogether)
     reference->SetInputData(mesh);
     reference->SetScalarRange(mapper->GetScalarRange());
     MTScene scene(i == 0 ? static_cast<vtkMapper*>(mapper) : reference);
-    LookFromTheSide(scene);
+    scene.LookFromTheSide();
     scene.Render();
     vtkNew<vtkWindowToImageFilter> filter;
     filter->SetInput(scene.Window);
@@ -553,7 +529,7 @@ TEST(Mapper, TilesOfALargePictureFitTogether)
 
 TEST(Mapper, FlyThroughKeepsPixelsRightWhilePatchesComeAndGo)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
   std::size_t worst = 0;
   vtkIdType memory = 0;
@@ -575,7 +551,7 @@ TEST(Mapper, FlyThroughKeepsPixelsRightWhilePatchesComeAndGo)
 
 TEST(Mapper, ColorByMatchesItsBaselines)
 {
-  const auto mapper = MakeMapper(MakeInput(), 1.5);
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 1.5);
   MTScene scene(mapper);
   scene.Renderer->SetBackground(1.0, 1.0, 1.0);
   LookClosely(scene);

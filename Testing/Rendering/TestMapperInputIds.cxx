@@ -57,25 +57,8 @@ vtkMultiTriangulation* GetModel(int ids)
   return ids == Builder::AllInputIds ? all : finest;
 }
 
-// What a selector finds in the window's middle.
-std::set<vtkIdType> Select(MTScene& scene, int association)
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetFieldAssociation(association);
-  selector->SetArea(110, 110, 190, 190);
-  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  std::set<vtkIdType> ids;
-  for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
-  {
-    auto* list = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
-    for (vtkIdType i = 0; i < list->GetNumberOfValues(); ++i)
-    {
-      ids.insert(list->GetValue(i));
-    }
-  }
-  return ids;
-}
+// The window's middle, which a selector looks at.
+constexpr unsigned int Middle[4] = { 110, 110, 190, 190 };
 
 struct View
 {
@@ -98,7 +81,7 @@ struct View
     plain.Renderer->ResetCamera(GetModel(Builder::FinestInputIds)->GetBounds());
     plain.Renderer->GetActiveCamera()->DeepCopy(this->Scene.Renderer->GetActiveCamera());
     plain.Render();
-    return Select(plain, association);
+    return plain.Select(association, Middle);
   }
   vtkNew<vtkMultiTriangulationMapper> Mapper;
   MTScene Scene;
@@ -170,7 +153,7 @@ TEST(MapperInputIds, SelectorOnACoarseViewGivesTheCellsNearestToTheTriangles)
 {
   View view(6.0);
   const auto begin = std::chrono::steady_clock::now();
-  const std::set<vtkIdType> ids = Select(view.Scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const std::set<vtkIdType> ids = view.Scene.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, Middle);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
   const std::set<vtkIdType> triangles = view.SelectInMesh(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   auto* kept = vtkIdTypeArray::SafeDownCast(view.Mesh->GetCellData()->GetArray("vtkMTInputCellIds"));
@@ -206,7 +189,7 @@ TEST(MapperInputIds, SelectorOnACoarseViewGivesTheCellsNearestToTheTriangles)
 TEST(MapperInputIds, WithIdsOnAllLevelsSelectorGivesThoseOfTheTriangles)
 {
   View view(6.0, Builder::AllInputIds);
-  const std::set<vtkIdType> ids = Select(view.Scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const std::set<vtkIdType> ids = view.Scene.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, Middle);
   std::set<vtkIdType> expected;
   const std::set<vtkIdType> triangles = view.SelectInMesh(vtkDataObject::FIELD_ASSOCIATION_CELLS);
   auto* kept = vtkIdTypeArray::SafeDownCast(view.Mesh->GetCellData()->GetArray("vtkMTInputCellIds"));
@@ -223,7 +206,7 @@ TEST(MapperInputIds, PointsAreSelectedByTheInputsIdsWithNoArrayNamed)
   for (const double pixelError : { 0.0, 6.0 })
   {
     View view(pixelError);
-    const std::set<vtkIdType> ids = Select(view.Scene, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    const std::set<vtkIdType> ids = view.Scene.Select(vtkDataObject::FIELD_ASSOCIATION_POINTS, Middle);
     const std::set<vtkIdType> points = view.SelectInMesh(vtkDataObject::FIELD_ASSOCIATION_POINTS);
     std::set<vtkIdType> expected;
     double worst = 0.0;
@@ -271,9 +254,9 @@ TEST(MapperInputIds, WhatWasNotFoundWhenASelectionIsStoppedIsNotSelected)
       static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(self->Stops ? 1 : 0);
     });
   view.Mapper->AddObserver(vtkCommand::ProgressEvent, command);
-  const std::set<vtkIdType> stopped = Select(view.Scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const std::set<vtkIdType> stopped = view.Scene.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, Middle);
   abort.Stops = false;
-  const std::set<vtkIdType> whole = Select(view.Scene, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const std::set<vtkIdType> whole = view.Scene.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, Middle);
   std::cout << stopped.size() << " of " << whole.size() << " cells, " << abort.Events << " events\n";
   EXPECT_GT(abort.Events, 0);
   EXPECT_LT(stopped.size(), whole.size());

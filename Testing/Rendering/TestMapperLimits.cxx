@@ -23,24 +23,12 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(double pixelError)
+// It waits for what its cut needs also where a frame rate is asked for.
+vtkSmartPointer<vtkMultiTriangulationMapper> MakeWaitingMapper(double pixelError)
 {
-  vtkNew<vtkMultiTriangulation> input;
-  input->SetSource(MTGridModel().Make());
-  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
-  mapper->SetInputData(input);
-  mapper->SetPixelError(pixelError);
-  mapper->SetScalarRange(-0.15, 0.15);
-  mapper->WaitForConvergenceOn(); // also where a frame rate is asked for
+  auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), pixelError);
+  mapper->WaitForConvergenceOn();
   return mapper;
-}
-
-void LookFromTheSide(MTScene& scene)
-{
-  scene.Renderer->ResetCamera();
-  scene.Renderer->GetActiveCamera()->Elevation(-50.0);
-  scene.Renderer->GetActiveCamera()->Zoom(1.3);
-  scene.Renderer->ResetCameraClippingRange();
 }
 
 // A path over the model: far, approach, close, turn, pull back.
@@ -55,10 +43,10 @@ void Fly(MTScene& scene, double t)
 
 TEST(MapperBudget, DesiredUpdateRateLimitsTriangles)
 {
-  const auto mapper = MakeMapper(0.0);
+  const auto mapper = MakeWaitingMapper(0.0);
   mapper->SetDrawingRate(2e5);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   for (const double rate : { 200.0, 50.0, 20.0, 10.0 })
   {
     scene.Window->SetDesiredUpdateRate(rate);
@@ -72,10 +60,10 @@ TEST(MapperBudget, DesiredUpdateRateLimitsTriangles)
 
 TEST(MapperBudget, StillViewIsRefinedToThePixelError)
 {
-  const auto mapper = MakeMapper(0.3);
+  const auto mapper = MakeWaitingMapper(0.3);
   mapper->SetDrawingRate(1e5);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Window->SetDesiredUpdateRate(30.0);
   scene.Render();
   const vtkIdType moving = mapper->GetNumberOfTriangles();
@@ -84,22 +72,22 @@ TEST(MapperBudget, StillViewIsRefinedToThePixelError)
   const auto still = scene.Render();
   std::cout << moving << " triangles while moving, " << mapper->GetNumberOfTriangles() << " when still\n";
   EXPECT_TRUE(mapper->GetConverged());
-  const auto unhurried = MakeMapper(0.3);
+  const auto unhurried = MakeWaitingMapper(0.3);
   MTScene other(unhurried);
-  LookFromTheSide(other);
+  other.LookFromTheSide();
   EXPECT_EQ(MTDifference::Compare(still, other.Render()).Pixels, 0u);
 }
 
 TEST(MapperBudget, ActorsShareTheTimeOfTheirRenderer)
 {
-  const auto first = MakeMapper(0.0);
-  const auto second = MakeMapper(0.0);
+  const auto first = MakeWaitingMapper(0.0);
+  const auto second = MakeWaitingMapper(0.0);
   MTScene scene(first);
   vtkNew<vtkActor> other;
   other->SetMapper(second);
   other->SetPosition(0.0, 0.0, 0.5);
   scene.Renderer->AddActor(other);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Window->SetDesiredUpdateRate(10.0);
   for (const auto& mapper : { first, second })
   {
@@ -114,9 +102,9 @@ TEST(MapperBudget, ActorsShareTheTimeOfTheirRenderer)
 
 TEST(MapperBudget, RateIsMeasuredWhenNoneIsSet)
 {
-  const auto mapper = MakeMapper(0.0);
+  const auto mapper = MakeWaitingMapper(0.0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   EXPECT_EQ(mapper->GetCurrentDrawingRate(), 0.0);
   for (int frame = 0; frame < 5; ++frame)
   {
@@ -138,7 +126,7 @@ TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
 {
   for (const vtkIdType limit : { 250000, 400000, 550000, 700000, 800000, 1600000 })
   {
-    const auto mapper = MakeMapper(0.25);
+    const auto mapper = MakeWaitingMapper(0.25);
     mapper->SetGraphicsMemoryLimit(limit);
     MTScene scene(mapper);
     std::size_t worst = 0;
@@ -169,10 +157,10 @@ TEST(MapperBudget, GraphicsMemoryStaysWithinItsLimitAlongAPath)
 
 TEST(MapperBudget, CoarsestCutIsDrawnWhateverTheLimit)
 {
-  const auto mapper = MakeMapper(0.0);
+  const auto mapper = MakeWaitingMapper(0.0);
   mapper->SetGraphicsMemoryLimit(0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto picture = scene.Render();
   EXPECT_EQ(mapper->GetNumberOfRefinedNodes(), 0);
   vtkNew<vtkPolyData> mesh;
@@ -183,15 +171,15 @@ TEST(MapperBudget, CoarsestCutIsDrawnWhateverTheLimit)
   reference->SetInputData(mesh);
   reference->SetScalarRange(mapper->GetScalarRange());
   MTScene plain(reference);
-  LookFromTheSide(plain);
+  plain.LookFromTheSide();
   EXPECT_LE(MTDifference::Compare(picture, plain.Render()).ClearlyOff, 5u);
 }
 
 TEST(MapperBudget, LoweredLimitTakesEffectInTheNextFrame)
 {
-  const auto mapper = MakeMapper(0.0);
+  const auto mapper = MakeWaitingMapper(0.0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   const vtkIdType before = mapper->GetGraphicsMemory();
   mapper->FreezeCutOn();
@@ -207,9 +195,9 @@ TEST(MapperBudget, LoweredLimitTakesEffectInTheNextFrame)
 
 TEST(MapperBudget, GrowingArenaUploadsNothingTwice)
 {
-  const auto mapper = MakeMapper(0.0);
+  const auto mapper = MakeWaitingMapper(0.0);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   mapper->SetTriangleLimit(2000);
   vtkIdType last = 0;
   for (const vtkIdType budget : { 2000, 4000, 9000, 20000, 0 })
@@ -222,9 +210,9 @@ TEST(MapperBudget, GrowingArenaUploadsNothingTwice)
     last = uploaded;
   }
   // What a mapper uploads that draws the same at once, and what it drew on the way there.
-  const auto direct = MakeMapper(0.0);
+  const auto direct = MakeWaitingMapper(0.0);
   MTScene other(direct);
-  LookFromTheSide(other);
+  other.LookFromTheSide();
   const auto expected = other.Render();
   EXPECT_EQ(MTDifference::Compare(scene.Render(), expected).Pixels, 0u);
   EXPECT_LE(last, 2 * direct->GetNumberOfUploadedBytes());

@@ -28,35 +28,11 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulation> MakeInput()
-{
-  auto input = vtkSmartPointer<vtkMultiTriangulation>::New();
-  input->SetSource(MTGridModel().Make());
-  return input;
-}
-
-vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(vtkMultiTriangulation* input)
-{
-  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
-  mapper->SetInputData(input);
-  mapper->SetPixelError(0.8);
-  mapper->SetScalarRange(-0.15, 0.15);
-  return mapper;
-}
-
-void LookFromTheSide(MTScene& scene)
-{
-  scene.Renderer->ResetCamera();
-  scene.Renderer->GetActiveCamera()->Elevation(-50.0);
-  scene.Renderer->GetActiveCamera()->Zoom(1.3);
-  scene.Renderer->ResetCameraClippingRange();
-}
-
 TEST(MapperPasses, AllPassesOfAFrameShareOneCut)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Actor->GetProperty()->SetOpacity(0.4);
   scene.Window->SetAlphaBitPlanes(1);
   scene.Renderer->UseDepthPeelingOn();
@@ -91,12 +67,12 @@ TEST(MapperPasses, WireframeShowsOnItsOwnSurface)
   {
     vtkSmartPointer<vtkMapper> surface;
     vtkSmartPointer<vtkMapper> lines;
-    const auto input = MakeInput();
+    const auto input = MTGridModel().MakeData();
     for (auto* mapper : { &surface, &lines })
     {
       if (i == 0)
       {
-        *mapper = MakeMapper(input);
+        *mapper = MTGridModel::MakeMapper(input, 0.8);
       }
       else
       {
@@ -115,7 +91,7 @@ TEST(MapperPasses, WireframeShowsOnItsOwnSurface)
     other->GetProperty()->SetColor(1.0, 0.0, 0.0);
     other->GetProperty()->LightingOff();
     scene.Renderer->AddActor(other);
-    LookFromTheSide(scene);
+    scene.LookFromTheSide();
     pictures[i] = scene.Render();
     if (i == 0)
     {
@@ -131,9 +107,9 @@ TEST(MapperPasses, WireframeShowsOnItsOwnSurface)
 
 TEST(MapperPasses, ColourChangesUploadColoursOnly)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   vtkNew<vtkPolyData> mesh;
   ASSERT_TRUE(mapper->GetCut(mesh));
@@ -193,10 +169,10 @@ TEST(MapperPasses, ArraysThatNobodyAsksForAreNotUploaded)
   vtkIdType bytes[3];
   for (int i = 0; i < 3; ++i)
   {
-    const auto mapper = MakeMapper(MakeInput());
+    const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
     mapper->SetScalarVisibility(i > 0);
     MTScene scene(mapper);
-    LookFromTheSide(scene);
+    scene.LookFromTheSide();
     scene.Actor->GetProperty()->SetInterpolation(i == 2 ? VTK_GOURAUD : VTK_FLAT);
     scene.Render();
     bytes[i] = mapper->GetNumberOfUploadedBytes();
@@ -209,9 +185,9 @@ TEST(MapperPasses, ArraysThatNobodyAsksForAreNotUploaded)
 
 TEST(MapperPasses, NeedsNoInteractorAndNoSecondFrame)
 {
-  const auto mapper = MakeMapper(MakeInput());
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.8);
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   EXPECT_EQ(scene.Window->GetInteractor(), nullptr);
   const auto first = scene.Render();
   EXPECT_TRUE(mapper->GetConverged());
@@ -221,14 +197,14 @@ TEST(MapperPasses, NeedsNoInteractorAndNoSecondFrame)
 TEST(MapperPasses, SecondWindowMayLookDifferently)
 {
   // One mapper, two windows, two actors, two views, turn by turn.
-  const auto input = MakeInput();
-  const auto shared = MakeMapper(input);
+  const auto input = MTGridModel().MakeData();
+  const auto shared = MTGridModel::MakeMapper(input, 0.8);
   MTScene near(shared);
   MTScene far(shared);
   far.Actor->GetProperty()->SetRepresentationToWireframe();
   vtkSmartPointer<vtkImageData> pictures[2];
-  LookFromTheSide(near);
-  LookFromTheSide(far);
+  near.LookFromTheSide();
+  far.LookFromTheSide();
   far.Renderer->GetActiveCamera()->Zoom(0.4);
   for (int turn = 0; turn < 3; ++turn)
   {
@@ -237,10 +213,10 @@ TEST(MapperPasses, SecondWindowMayLookDifferently)
   }
   for (int i = 0; i < 2; ++i)
   {
-    const auto alone = MakeMapper(input);
+    const auto alone = MTGridModel::MakeMapper(input, 0.8);
     MTScene scene(alone);
     scene.Actor->GetProperty()->SetRepresentation(i == 0 ? VTK_SURFACE : VTK_WIREFRAME);
-    LookFromTheSide(scene);
+    scene.LookFromTheSide();
     scene.Renderer->GetActiveCamera()->Zoom(i == 0 ? 1.0 : 0.4);
     EXPECT_EQ(MTDifference::Compare(pictures[i], scene.Render()).Pixels, 0u);
   }

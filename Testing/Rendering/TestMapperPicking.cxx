@@ -41,40 +41,6 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulation> MakeInput()
-{
-  auto input = vtkSmartPointer<vtkMultiTriangulation>::New();
-  input->SetSource(MTGridModel().Make());
-  return input;
-}
-
-void LookFromTheSide(MTScene& scene)
-{
-  scene.Renderer->ResetCamera();
-  scene.Renderer->GetActiveCamera()->Elevation(-50.0);
-  scene.Renderer->GetActiveCamera()->Zoom(1.3);
-  scene.Renderer->ResetCameraClippingRange();
-}
-
-std::set<vtkIdType> Select(MTScene& scene, int association, const unsigned int area[4])
-{
-  vtkNew<vtkHardwareSelector> selector;
-  selector->SetRenderer(scene.Renderer);
-  selector->SetFieldAssociation(association);
-  selector->SetArea(area[0], area[1], area[2], area[3]);
-  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
-  std::set<vtkIdType> ids;
-  for (unsigned int n = 0; n < selection->GetNumberOfNodes(); ++n)
-  {
-    auto* list = vtkIdTypeArray::SafeDownCast(selection->GetNode(n)->GetSelectionList());
-    for (vtkIdType i = 0; i < list->GetNumberOfValues(); ++i)
-    {
-      ids.insert(list->GetValue(i));
-    }
-  }
-  return ids;
-}
-
 class PickingWith : public ::testing::TestWithParam<int>
 {
 };
@@ -82,15 +48,15 @@ class PickingWith : public ::testing::TestWithParam<int>
 TEST_P(PickingWith, HardwareSelectorGivesInputCells)
 {
   vtkNew<vtkMultiTriangulationMapper> mapper;
-  mapper->SetInputData(MakeInput());
+  mapper->SetInputData(MTGridModel().MakeData());
   mapper->SetPixelError(2.0);
   mapper->ScalarVisibilityOff();
   MTScene scene(mapper);
   scene.Actor->GetProperty()->SetRepresentation(GetParam());
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   const unsigned int area[4] = { 100, 120, 160, 150 };
-  const std::set<vtkIdType> ids = Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, area);
+  const std::set<vtkIdType> ids = scene.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, area);
 
   vtkNew<vtkPolyData> mesh;
   ASSERT_TRUE(mapper->GetCut(mesh));
@@ -99,11 +65,11 @@ TEST_P(PickingWith, HardwareSelectorGivesInputCells)
   reference->ScalarVisibilityOff();
   MTScene plain(reference);
   plain.Actor->GetProperty()->SetRepresentation(GetParam());
-  LookFromTheSide(plain);
+  plain.LookFromTheSide();
   plain.Render();
   auto* input = vtkIdTypeArray::SafeDownCast(mesh->GetCellData()->GetArray("CellIds"));
   std::set<vtkIdType> expected;
-  for (const vtkIdType cell : Select(plain, vtkDataObject::FIELD_ASSOCIATION_CELLS, area))
+  for (const vtkIdType cell : plain.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, area))
   {
     expected.insert(input->GetValue(cell));
   }
@@ -121,16 +87,16 @@ INSTANTIATE_TEST_SUITE_P(Representations, PickingWith, ::testing::Values(VTK_SUR
 TEST(Picking, HardwareSelectorGivesTheNamedPointIds)
 {
   vtkNew<vtkMultiTriangulationMapper> mapper;
-  mapper->SetInputData(MakeInput());
+  mapper->SetInputData(MTGridModel().MakeData());
   mapper->SetPixelError(2.0);
   mapper->SetPointIdArrayName("Color"); // its first component is the column of the point, from 0 to 255
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   const unsigned int left[4] = { 40, 120, 80, 150 };
   const unsigned int right[4] = { 220, 120, 260, 150 };
-  const std::set<vtkIdType> lefts = Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, left);
-  const std::set<vtkIdType> rights = Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, right);
+  const std::set<vtkIdType> lefts = scene.Select(vtkDataObject::FIELD_ASSOCIATION_POINTS, left);
+  const std::set<vtkIdType> rights = scene.Select(vtkDataObject::FIELD_ASSOCIATION_POINTS, right);
   ASSERT_FALSE(lefts.empty());
   ASSERT_FALSE(rights.empty());
   std::cout << "left " << *lefts.begin() << " to " << *lefts.rbegin() << ", right " << *rights.begin() << " to "
@@ -142,22 +108,22 @@ TEST(Picking, HardwareSelectorGivesTheNamedPointIds)
 TEST(Picking, PictureIsTheSameAfterASelection)
 {
   vtkNew<vtkMultiTriangulationMapper> mapper;
-  mapper->SetInputData(MakeInput());
+  mapper->SetInputData(MTGridModel().MakeData());
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   const auto before = scene.Render();
   const unsigned int area[4] = { 0, 0, 299, 299 };
-  Select(scene, vtkDataObject::FIELD_ASSOCIATION_CELLS, area);
-  Select(scene, vtkDataObject::FIELD_ASSOCIATION_POINTS, area);
+  scene.Select(vtkDataObject::FIELD_ASSOCIATION_CELLS, area);
+  scene.Select(vtkDataObject::FIELD_ASSOCIATION_POINTS, area);
   EXPECT_EQ(MTDifference::Compare(scene.Render(), before).Pixels, 0u);
 }
 
 TEST(Picking, CellPickerFindsInputCellsThroughTheCoarsestCut)
 {
   vtkNew<vtkMultiTriangulationMapper> mapper;
-  mapper->SetInputData(MakeInput());
+  mapper->SetInputData(MTGridModel().MakeData());
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   vtkNew<vtkCellPicker> picker;
   ASSERT_EQ(picker->Pick(150, 150, 0.0, scene.Renderer), 1);
@@ -181,12 +147,12 @@ TEST(Picking, CellPickerWithTheLocatorFindsTheDrawnTrianglesInputCells)
   for (const double pixelError : { 0.0, 2.0 })
   {
     vtkNew<vtkMultiTriangulationMapper> mapper;
-    mapper->SetInputData(MakeInput());
+    mapper->SetInputData(MTGridModel().MakeData());
     mapper->SetPixelError(pixelError);
     MTScene scene(mapper);
     scene.Actor->SetScale(1.0, 1.5, 0.8);
     scene.Actor->RotateZ(15.0);
-    LookFromTheSide(scene);
+    scene.LookFromTheSide();
     scene.Render();
     vtkNew<vtkMultiTriangulationLocator> locator;
     locator->SetMapper(mapper);
@@ -230,9 +196,9 @@ TEST(Picking, CellPickerWithTheLocatorFindsTheDrawnTrianglesInputCells)
 TEST(Picking, LocatorSeesNothingBeforeTheFirstFrameAndHonoursClippingPlanes)
 {
   vtkNew<vtkMultiTriangulationMapper> mapper;
-  mapper->SetInputData(MakeInput());
+  mapper->SetInputData(MTGridModel().MakeData());
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   vtkNew<vtkMultiTriangulationLocator> locator;
   vtkNew<vtkCellPicker> picker;
   picker->AddLocator(locator);
@@ -282,7 +248,7 @@ TEST(Picking, LocatorReadsOnlyTheIdsOfThePatchThatIsHit)
   mapper->SetPixelError(0.0);
   mapper->ScalarVisibilityOff();
   MTScene scene(mapper);
-  LookFromTheSide(scene);
+  scene.LookFromTheSide();
   scene.Render();
   vtkNew<vtkMultiTriangulationLocator> locator;
   locator->SetMapper(mapper);

@@ -34,13 +34,6 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulation> MakeInput()
-{
-  auto model = vtkSmartPointer<vtkMultiTriangulation>::New();
-  EXPECT_TRUE(model->SetSource(MTGridModel().Make()));
-  return model;
-}
-
 vtkSmartPointer<vtkTransform> MakeTransform(bool mirrors)
 {
   auto transform = vtkSmartPointer<vtkTransform>::New();
@@ -70,10 +63,10 @@ TEST(Placement, FrameDrawsWhatAnActorsMatrixDraws)
   for (const double pixelError : { 0.0, 2.0 })
   {
     vtkNew<vtkMultiTriangulationMapper> plain;
-    plain->SetInputData(MakeInput());
+    plain->SetInputData(MTGridModel().MakeData());
     plain->SetPixelError(pixelError);
     vtkNew<vtkMultiTriangulationTransform> moved;
-    moved->SetInputData(MakeInput());
+    moved->SetInputData(MTGridModel().MakeData());
     moved->SetTransform(MakeTransform(false));
     vtkNew<vtkMultiTriangulationMapper> mapper;
     mapper->SetInputConnection(moved->GetOutputPort());
@@ -107,7 +100,7 @@ TEST(Placement, ScaleThatVtkCannotDrawIsAnErrorOnce)
   for (const double scale : { 1e20, 1e39, 1e-24 })
   {
     vtkNew<vtkMultiTriangulationMapper> mapper;
-    mapper->SetInputData(MakeInput());
+    mapper->SetInputData(MTGridModel().MakeData());
     std::vector<std::string> errors;
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(&errors);
@@ -134,7 +127,7 @@ TEST(Placement, ScaleThatVtkCannotDrawIsAnErrorOnce)
 TEST(Placement, MirroredModelIsThatOfItsCut)
 {
   vtkNew<vtkMultiTriangulationTransform> moved;
-  moved->SetInputData(MakeInput());
+  moved->SetInputData(MTGridModel().MakeData());
   moved->SetTransform(MakeTransform(true));
   vtkNew<vtkMultiTriangulationCutFilter> cut;
   cut->SetInputConnection(moved->GetOutputPort());
@@ -180,7 +173,7 @@ TEST(Placement, MirroredActorsAreLitAndCulledAsVtkDoesIt)
   for (int which = 0; which < 24; ++which)
   {
     vtkNew<vtkMultiTriangulationTransform> moved;
-    moved->SetInputData(MakeInput());
+    moved->SetInputData(MTGridModel().MakeData());
     moved->SetTransform(MakeTransform(which % 2 == 1));
     vtkNew<vtkMultiTriangulationMapper> mapper;
     mapper->SetInputConnection(moved->GetOutputPort());
@@ -222,7 +215,7 @@ TEST(Placement, ANewPlaceReadsAndUploadsNothing)
 {
   vtkNew<vtkTransform> transform;
   vtkNew<vtkMultiTriangulationTransform> moved;
-  moved->SetInputData(MakeInput());
+  moved->SetInputData(MTGridModel().MakeData());
   moved->SetTransform(transform);
   vtkNew<vtkMultiTriangulationMapper> mapper;
   mapper->SetInputConnection(moved->GetOutputPort());
@@ -243,9 +236,9 @@ TEST(Placement, PickerHitsWhatIsDrawn)
 {
   vtkNew<vtkMultiTriangulationMapper> mappers[2];
   vtkNew<vtkMultiTriangulationTransform> moved;
-  moved->SetInputData(MakeInput());
+  moved->SetInputData(MTGridModel().MakeData());
   moved->SetTransform(MakeTransform(false));
-  mappers[0]->SetInputData(MakeInput());
+  mappers[0]->SetInputData(MTGridModel().MakeData());
   mappers[1]->SetInputConnection(moved->GetOutputPort());
   MTScene byActor(mappers[0]);
   byActor.Actor->SetUserTransform(MakeTransform(false));
@@ -280,7 +273,7 @@ TEST(Placement, PickerHitsWhatIsDrawn)
 
 TEST(Placement, CutOfARenderersViewIsWhatTheMapperDraws)
 {
-  const auto model = MakeInput();
+  const auto model = MTGridModel().MakeData();
   vtkNew<vtkMultiTriangulationMapper> mapper;
   mapper->SetInputData(model);
   mapper->SetPixelError(1.5);

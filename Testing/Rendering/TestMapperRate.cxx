@@ -27,14 +27,11 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper()
+// Of the finest cut; it waits for it also where a frame rate is asked for.
+vtkSmartPointer<vtkMultiTriangulationMapper> MakeFinestMapper()
 {
-  vtkNew<vtkMultiTriangulation> input;
-  input->SetSource(MTGridModel().Make());
-  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
-  mapper->SetInputData(input);
-  mapper->SetPixelError(0.0);
-  mapper->WaitForConvergenceOn(); // also where a frame rate is asked for
+  auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.0);
+  mapper->WaitForConvergenceOn();
   return mapper;
 }
 
@@ -62,7 +59,7 @@ long GetPageFaults()
 // Only software OpenGL has its memory from the heap: 2,000 pages where the C library takes it back after each frame.
 TEST(MapperRate, MemoryOfAFrameStaysForTheNextOne)
 {
-  const auto mapper = MakeMapper();
+  const auto mapper = MakeFinestMapper();
   MTScene scene(mapper);
   scene.Render();
   scene.Render();
@@ -81,7 +78,7 @@ TEST(MapperRate, WholeFramesAreMeasured)
 {
   for (const unsigned long event : { vtkCommand::StartEvent, vtkCommand::EndEvent })
   {
-    const auto mapper = MakeMapper();
+    const auto mapper = MakeFinestMapper();
     MTScene scene(mapper);
     Delay(scene.Renderer, event);
     for (int frame = 0; frame < 4; ++frame)
@@ -97,7 +94,7 @@ TEST(MapperRate, WholeFramesAreMeasured)
 
 TEST(MapperRate, TimeThatOthersTakeMakesTheCutCoarser)
 {
-  const auto mapper = MakeMapper();
+  const auto mapper = MakeFinestMapper();
   MTScene scene(mapper);
   scene.Render();
   const vtkIdType all = mapper->GetNumberOfTriangles();
@@ -113,12 +110,12 @@ TEST(MapperRate, TimeThatOthersTakeMakesTheCutCoarser)
 
 TEST(MapperRate, ObserversGoWithTheLastMapperOfTheWindow)
 {
-  auto first = MakeMapper();
+  auto first = MakeFinestMapper();
   auto scene = std::make_unique<MTScene>(first);
   EXPECT_FALSE(IsTimed(scene->Window));
   vtkNew<vtkActor> actor;
   {
-    const auto second = MakeMapper();
+    const auto second = MakeFinestMapper();
     actor->SetMapper(second);
     scene->Renderer->AddActor(actor);
     scene->Render();
@@ -138,7 +135,7 @@ TEST(MapperRate, ObserversGoWithTheLastMapperOfTheWindow)
 
 TEST(MapperRate, WindowMayGoFirst)
 {
-  const auto mapper = MakeMapper();
+  const auto mapper = MakeFinestMapper();
   for (int i = 0; i < 3; ++i)
   {
     MTScene scene(mapper);
@@ -153,7 +150,7 @@ TEST(MapperRate, WindowMayGoFirst)
 
 TEST(MapperRate, EachWindowOfAMapperHasItsOwn)
 {
-  const auto mapper = MakeMapper();
+  const auto mapper = MakeFinestMapper();
   MTScene slow(mapper);
   MTScene other(mapper);
   Delay(slow.Renderer, vtkCommand::EndEvent);
@@ -170,7 +167,7 @@ TEST(MapperRate, EachWindowOfAMapperHasItsOwn)
 
 TEST(MapperRate, SelectionsAreNoFrames)
 {
-  const auto mapper = MakeMapper();
+  const auto mapper = MakeFinestMapper();
   MTScene scene(mapper);
   for (int frame = 0; frame < 4; ++frame)
   {

@@ -27,17 +27,6 @@
 
 namespace
 {
-vtkSmartPointer<vtkMultiTriangulationMapper> MakeMapper(double pixelError = 0.2)
-{
-  vtkNew<vtkMultiTriangulation> input;
-  EXPECT_TRUE(input->SetSource(MTGridModel().Make()));
-  auto mapper = vtkSmartPointer<vtkMultiTriangulationMapper>::New();
-  mapper->SetInputData(input);
-  mapper->SetPixelError(pixelError);
-  mapper->SetScalarRange(-0.15, 0.15);
-  return mapper;
-}
-
 // Close above one corner of the model or the opposite one: the two views have few patches in common.
 void LookAtCorner(vtkRenderer* renderer, bool opposite)
 {
@@ -52,7 +41,7 @@ TEST(MapperSharing, TwoRenderersOfAWindowUploadNothingWhereNothingMoves)
 {
   for (const vtkIdType limit : { vtkIdType(512) << 20, vtkIdType(700000) })
   {
-    const auto mapper = MakeMapper();
+    const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.2);
     mapper->SetGraphicsMemoryLimit(limit);
     MTScene scene(mapper);
     vtkNew<vtkRenderer> other;
@@ -90,7 +79,7 @@ TEST(MapperSharing, TwoWindowsUploadNothingWhereNothingMovesAndShareTheLimit)
 {
   for (const vtkIdType limit : { vtkIdType(512) << 20, vtkIdType(900000) })
   {
-    const auto mapper = MakeMapper();
+    const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.2);
     mapper->SetGraphicsMemoryLimit(limit);
     MTScene first(mapper);
     auto second = std::make_unique<MTScene>(mapper);
@@ -125,7 +114,7 @@ TEST(MapperSharing, TwoWindowsUploadNothingWhereNothingMovesAndShareTheLimit)
 
 TEST(MapperSharing, TwoActorsInARendererHaveTheirOwnCuts)
 {
-  const auto mapper = MakeMapper();
+  const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.2);
   MTScene scene(mapper);
   vtkNew<vtkActor> other;
   other->SetMapper(mapper);
@@ -146,7 +135,7 @@ TEST(MapperSharing, ActorsOfDifferentRepresentationTakeNothingFromEachOther)
 {
   for (const bool cells : { false, true })
   {
-    const auto mapper = MakeMapper();
+    const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.2);
     if (cells)
     {
       mapper->SetScalarModeToUseCellFieldData();
@@ -213,7 +202,7 @@ TEST(MapperSharing, CullingInStereoChangesNoPixel)
         std::vector<vtkIdType> drawn;
         for (const bool culling : { true, false })
         {
-          const auto mapper = MakeMapper();
+          const auto mapper = MTGridModel::MakeMapper(MTGridModel().MakeData(), 0.2);
           mapper->SetFrustumCulling(culling);
           mapper->SetFacingCulling(culling);
           MTScene scene(mapper);
