@@ -2,6 +2,7 @@
 // region_of_interest MODEL.bmt [PICTURE.png]: a mesh for VTK's own filters and mappers, fine in a ball and coarse
 // elsewhere, with its edges.
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkMultiTriangulation.h>
 #include <vtkMultiTriangulationCutFilter.h>
 #include <vtkMultiTriangulationReader.h>
@@ -29,10 +30,10 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkSphere> ball;
   ball->SetCenter(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), bounds[5]);
-  ball->SetRadius(0.15 * size);
+  ball->SetRadius(0.08 * size);
   vtkNew<vtkMultiTriangulationCutFilter> cut;
   cut->SetInputConnection(reader->GetOutputPort());
-  cut->SetError(2e-3 * size); // within so much of the input, in the ball
+  cut->SetError(3e-5 * size); // within so much of the input, in the ball
   cut->SetRegion(ball);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(cut->GetOutputPort());
@@ -44,6 +45,8 @@ int main(int argc, char* argv[])
   renderer->AddActor(actor);
   renderer->SetBackground(0.2, 0.25, 0.3);
   renderer->ResetCamera();
+  renderer->GetActiveCamera()->SetFocalPoint(ball->GetCenter());
+  renderer->GetActiveCamera()->Zoom(2.5);
   vtkNew<vtkRenderWindow> window;
   window->SetSize(800, 600);
   window->AddRenderer(renderer);

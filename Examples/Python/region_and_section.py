@@ -20,9 +20,9 @@ if __name__ == "__main__":
 
     ball = vtkSphere()
     ball.SetCenter(center[0], center[1], bounds[5])
-    ball.SetRadius(0.15 * size)
+    ball.SetRadius(0.08 * size)
     mapper, mesh = vtkPolyDataMapper(), vtkActor()
-    mapper.SetInputData(mt.cut(model, error=1e-3 * size, region=ball))
+    mapper.SetInputData(mt.cut(model, error=3e-5 * size, region=ball))
     mapper.ScalarVisibilityOff()
     mesh.SetMapper(mapper)
     mesh.GetProperty().EdgeVisibilityOn()
