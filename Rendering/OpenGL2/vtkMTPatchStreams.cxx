@@ -50,6 +50,17 @@ std::uint64_t GetRevision(const vtkMTPatchStreams::Floats& floats)
   return (static_cast<std::uint64_t>(floats.Component + 1) << 32) + static_cast<std::uint64_t>(floats.Array) + 1;
 }
 
+std::uint64_t GetPackingRevision(const vtkMTPatchStreams::Plan& plan)
+{
+  std::uint64_t revision = static_cast<std::uint64_t>(plan.PackedNormals) + 1;
+  for (const std::int32_t value : { plan.Packing.Corner[0], plan.Packing.Corner[1], plan.Packing.Corner[2],
+         static_cast<std::int32_t>(plan.Packing.Shift) })
+  {
+    revision = 31 * revision + static_cast<std::uint32_t>(value);
+  }
+  return std::max<std::uint64_t>(revision, 1);
+}
+
 std::uint64_t GetRevision(std::uint64_t colorRevision)
 {
   return (std::uint64_t(1) << 63) + colorRevision;
@@ -82,7 +93,15 @@ void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchAren
     names.push_back(name);
   };
 
-  declare(Positions, MakeVertexFormat(3, GL_INT, 12, true), 1, Stream::Points);
+  if (plan.PackedNormals >= 0)
+  {
+    declare(
+      PackedPositions, MakeVertexFormat(3, GL_UNSIGNED_INT, 12, true), GetPackingRevision(plan), Stream::PackedPoints);
+  }
+  else
+  {
+    declare(Positions, MakeVertexFormat(3, GL_INT, 12, true), 1, Stream::Points);
+  }
   const std::size_t index = plan.ShortIndices ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
   declare(GetIndexStream(plan), MakeTriangleFormat((plan.Edges ? 6 : 3) * index), plan.ShortIndices ? 2 : 1,
     Stream::Connectivity);
@@ -169,6 +188,7 @@ std::vector<unsigned char> vtkMTPatchStreams::GetArrays(const vtkMTGraph& graph)
     {
       want(floats.Array);
     }
+    want(plan.PackedNormals);
     want(plan.CellNormals);
     if (!plan.CellTextures.empty())
     {
@@ -230,6 +250,12 @@ std::vector<unsigned char> vtkMTPatchStreams::Make(
     case Stream::Points:
       bytes = ToBytes(vtkMTPatchAttributes::GetPositions(patch));
       break;
+    case Stream::PackedPoints:
+    {
+      const auto array = vtkMTPatchAttributes::GetArray(graph, this->Current.PackedNormals, patch);
+      bytes = ToBytes(this->Current.Packing.Pack(patch, vtkMTPatchAttributes::GetFloats(array, 3)));
+      break;
+    }
     case Stream::Connectivity:
       bytes = this->Current.ShortIndices
         ? ToBytes(vtkMTPatchAttributes::GetIndices<std::uint16_t>(patch, this->Current.Edges))

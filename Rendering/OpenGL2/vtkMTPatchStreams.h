@@ -3,7 +3,8 @@
  * @class vtkMTPatchStreams
  * @brief which of the model's data is on the GPU, in what form, and how it gets there
  *
- * A plan says what the shader asks for: positions and indices always; normals, texture coordinates, tangents and
+ * A plan says what the shader asks for: positions and indices always, normals packed with positions where they fit
+ * (vtkMTPackedVertices); else normals, texture coordinates, tangents and
  * further attributes as floats; colours per vertex or per triangle. Apply declares the streams in the arena, so that
  * what changed is uploaded again and nothing else is, and Upload brings one patch up to date.
  *
@@ -14,6 +15,7 @@
 #ifndef vtkMTPatchStreams_h
 #define vtkMTPatchStreams_h
 
+#include "vtkMTPackedVertices.h"
 #include "vtkMTPatch.h"
 #include "vtkMTPatchArena.h"
 
@@ -60,6 +62,10 @@ public:
     bool ShortIndices = false;     ///< of 16 bits; no patch may have more than 65536 wedges then
     int PrimitivesPerTriangle = 1; ///< what OpenGL counts while it draws one triangle
     std::vector<Floats> Attributes;
+    vtkMTPackedVertices
+      Packing; ///< of this array of normals, which is none of Attributes then; -1: they are not packed
+    int PackedNormals = -1;
+    bool ShowsNormals = false; ///< those of points
     int CellNormals = -1;                  ///< an array of association Cell, or none
     std::vector<CellTexture> CellTextures; ///< each cell has the first one that it may have
     std::uint64_t CellTexturesRevision = 1;
@@ -74,6 +80,7 @@ public:
   using Mapping = std::function<void(int array, const vtkMTPatch& patch, std::vector<unsigned char>& bytes)>;
 
   static constexpr const char* Positions = "latticeMC";
+  static constexpr const char* PackedPositions = "packedMC";
   static constexpr const char* CellColorStream = "cellColors";
   static constexpr const char* CellNormalStream = "cellNormals";
   static constexpr const char* CellTextureStream = "cellTextures";
@@ -101,6 +108,7 @@ private:
     enum KindType
     {
       Points,
+      PackedPoints,
       Connectivity,
       Attribute,
       CellNormal,

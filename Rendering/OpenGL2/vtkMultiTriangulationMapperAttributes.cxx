@@ -59,7 +59,12 @@ void vtkMultiTriangulationMapper::PlanAttributes(vtkActor* actor)
   const int interpolation = actor->GetProperty()->GetInterpolation();
   const int normals = vtkMTPatchAttributes::FindAttribute(graph, vtkDataSetAttributes::NORMALS, vtkMTArrayInfo::Point);
   const bool smooth = normals >= 0 && interpolation != VTK_FLAT;
-  if (smooth)
+  // Vertices that have been packed stay so, lest positions be uploaded again.
+  const bool isPacked = smooth || plan.PackedNormals == normals;
+  plan.Packing = vtkMTPackedVertices::ForBox(graph.GetFigures().Box);
+  plan.PackedNormals = isPacked && plan.Packing.Shift > 0 ? normals : -1;
+  plan.ShowsNormals = smooth;
+  if (smooth && plan.PackedNormals < 0)
   {
     add("normalMC", normals, 3);
   }
@@ -141,13 +146,21 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
   // coordinates.
   const auto declare = [this, renderer](const std::string& attribute, vtkDataArray* one)
   { this->VBOs->CacheDataArray(attribute.c_str(), one, renderer, one->GetDataType()); };
-  for (const vtkMTPatchStreams::Floats& floats : plan.Attributes)
+  const auto declareFloats = [&declare](const std::string& attribute, int components)
   {
     vtkNew<vtkFloatArray> one;
-    one->SetNumberOfComponents(floats.Components);
+    one->SetNumberOfComponents(components);
     one->SetNumberOfTuples(1);
     one->Fill(0.0);
-    declare(floats.Attribute, one);
+    declare(attribute, one);
+  };
+  for (const vtkMTPatchStreams::Floats& floats : plan.Attributes)
+  {
+    declareFloats(floats.Attribute, floats.Components);
+  }
+  if (plan.PackedNormals >= 0 && plan.ShowsNormals)
+  {
+    declareFloats("normalMC", 3);
   }
   if (plan.Coloring == vtkMTPatchStreams::PointColors || plan.Coloring == vtkMTPatchStreams::OneColor ||
     this->ShowsCut())
@@ -160,11 +173,7 @@ void vtkMultiTriangulationMapper::BuildTemplate(vtkRenderer* renderer)
   }
   if (plan.Coloring == vtkMTPatchStreams::PointCoordinates)
   {
-    vtkNew<vtkFloatArray> one;
-    one->SetNumberOfComponents(2);
-    one->SetNumberOfTuples(1);
-    one->Fill(0.0);
-    declare(vtkMTColorCoordinates, one);
+    declareFloats(vtkMTColorCoordinates, 2);
   }
   this->VBOs->BuildAllVBOs(renderer);
 

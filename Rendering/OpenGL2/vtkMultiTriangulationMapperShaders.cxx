@@ -12,6 +12,8 @@
 #include "vtkMTLatticeImpl.h"
 #include "vtkMTLightDistance.h"
 #include "vtkMTOpenGL.h"
+#include "vtkMTPackedVertexDec.h"
+#include "vtkMTPackedVertexImpl.h"
 #include "vtkMTPbrLightDistance.h"
 #include "vtkMTViewUnitDec.h"
 #include "vtkMatrix3x3.h"
@@ -27,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -88,11 +91,27 @@ void vtkMultiTriangulationMapper::GetShaderTemplate(
   {
     return;
   }
+  const bool isPacked = this->Implementation->Plan.PackedNormals >= 0;
   std::string source = shaders[vtkShader::Vertex]->GetSource();
-  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;", vtkMTLatticeDec);
-  vtkShaderProgram::Substitute(
-    source, "//VTK::CustomBegin::Impl", std::string(vtkMTLatticeImpl) + "  //VTK::CustomBegin::Impl\n");
+  vtkShaderProgram::Substitute(source, "in vec4 vertexMC;", isPacked ? vtkMTPackedVertexDec : vtkMTLatticeDec);
+  vtkShaderProgram::Substitute(source, "//VTK::CustomBegin::Impl",
+    std::string(isPacked ? vtkMTPackedVertexImpl : vtkMTLatticeImpl) + "  //VTK::CustomBegin::Impl\n");
   shaders[vtkShader::Vertex]->SetSource(source);
+}
+
+//------------------------------------------------------------------------------
+// The superclass does not see that another model of the same array's names has vertices of another form.
+bool vtkMultiTriangulationMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
+  if (needed || !this->HasPatches() || !cellBO.Program)
+  {
+    return needed;
+  }
+  const GLint packed =
+    glGetAttribLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), vtkMTPatchStreams::PackedPositions);
+  return (packed >= 0) != (this->Implementation->Plan.PackedNormals >= 0);
 }
 
 //------------------------------------------------------------------------------
@@ -103,6 +122,12 @@ void vtkMultiTriangulationMapper::ReplaceShaderValues(
   if (!this->HasPatches())
   {
     return;
+  }
+  if (this->Implementation->Plan.PackedNormals >= 0)
+  {
+    std::string vertex = shaders[vtkShader::Vertex]->GetSource();
+    vtkShaderProgram::Substitute(vertex, "in vec3 normalMC;", "");
+    shaders[vtkShader::Vertex]->SetSource(vertex);
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
   const auto substitute = [&source](const std::string& from, const std::string& to)
@@ -154,9 +179,16 @@ void vtkMultiTriangulationMapper::SetMapperShaderParameters(
   {
     return;
   }
-  const auto& origin = this->Implementation->Origin;
-  const GLint where = glGetUniformLocation(static_cast<GLuint>(cellBO.Program->GetHandle()), "latticeOrigin");
-  glUniform3i(where, origin[0], origin[1], origin[2]);
+  const vtkMTPatchStreams::Plan& plan = this->Implementation->Plan;
+  const auto program = static_cast<GLuint>(cellBO.Program->GetHandle());
+  vtkMTPoint origin = this->Implementation->Origin;
+  if (plan.PackedNormals >= 0)
+  {
+    // Packed positions are counted from the box's corner, in which the origin lies.
+    std::transform(origin.begin(), origin.end(), plan.Packing.Corner.begin(), origin.begin(), std::minus<>());
+    glUniform2i(glGetUniformLocation(program, "packedBits"), plan.Packing.Shift, plan.Packing.GetNormalBits());
+  }
+  glUniform3i(glGetUniformLocation(program, "latticeOrigin"), origin[0], origin[1], origin[2]);
   this->UseClippingPlanes(cellBO);
   if (this->Implementation->HasCellTextures && cellBO.Program->IsUniformUsed("cellTextures"))
   {
