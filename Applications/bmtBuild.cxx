@@ -5,8 +5,8 @@
 
 #include "vtkMTEdgeCollapse.h"
 #include "vtkMTFileBuildReport.h"
+#include "vtkMTPartitionStrategy.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTRegularPartition.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMultiTriangulationFileBuilder.h"
 
@@ -89,10 +89,7 @@ void Configure(const BuildOptions& options, Builder* builder)
 {
   ConfigureInput(options, builder);
   builder->SetOutputFileName(options.Output.c_str());
-  if (options.Partition == "regular")
-  {
-    builder->SetPartitionStrategy(vtkNew<vtkMTRegularPartition>());
-  }
+  builder->SetPartitionStrategy(vtkMTPartitionStrategy::MakeByName(options.Partition));
   vtkNew<vtkMTEdgeCollapse> simplifier;
   simplifier->SetModeByName(options.Simplifier.c_str());
   builder->SetSimplifier(simplifier);
@@ -280,8 +277,10 @@ void AddOptions(CLI::App& command, BuildOptions& options)
     ->required();
   command.add_option("-o,--output", options.Output, "The Multi-Triangulation file to write")->required();
   bmtAddInputOptions(command, options.Input);
-  command.add_option("--partition", options.Partition, "Regions: v (Voronoi) or regular (cube, face, edge centres)")
-    ->check(CLI::IsMember({ "v", "regular" }))
+  command
+    .add_option("--partition", options.Partition,
+      "Regions: v (Voronoi), regular (cube, face, edge centres) or kd (boxes of a k-d tree)")
+    ->check(CLI::IsMember({ "v", "regular", "kd" }))
     ->capture_default_str();
   command
     .add_option("--simplifier", options.Simplifier,

@@ -13,6 +13,7 @@
 #include "vtkMTPartition.h"
 #include "vtkMTPartitionModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h"
 
 #include <memory>
 #include <string>
@@ -38,7 +39,11 @@ public:
   /// sequence to the next, and floors are simplified. 2 here.
   virtual double GetReduction() const { return 2.0; }
 
-  /// Short name for settings and messages: "v", "regular".
+  /// The strategy of a short name, with its default settings: "v" (vtkMTVoronoiPartition), "regular"
+  /// (vtkMTRegularPartition), "kd" (vtkMTKdPartition). Null for any other name.
+  static vtkSmartPointer<vtkMTPartitionStrategy> MakeByName(const std::string& name);
+
+  /// Short name for settings and messages, one of the above.
   virtual const char* GetStrategyName() const = 0;
   /// Name and every setting that has an influence on the result, for the model's settings.
   virtual std::string GetSettings() const = 0;

@@ -48,11 +48,10 @@ def _get_simplifier(name):
 def _get_partition(name):
     if not isinstance(name, str):
         return name
-    if name == "v":
-        return toolkit.vtkMTVoronoiPartition()
-    if name == "regular":
-        return toolkit.vtkMTRegularPartition()
-    raise ValueError(f"partition='{name}' is neither v nor regular")
+    strategy = toolkit.vtkMTPartitionStrategy.MakeByName(name)
+    if strategy is None:
+        raise ValueError(f"partition='{name}' is none of v, regular, kd")
+    return strategy
 
 
 def _get_feature_angle(angle):

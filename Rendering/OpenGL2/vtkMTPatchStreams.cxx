@@ -82,8 +82,8 @@ void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchAren
   this->Current = plan;
   this->Streams.clear();
   std::vector<std::string> names;
-  const auto declare = [&](const std::string& name, const Format& format, std::uint64_t revision, Stream::KindType kind,
-                         std::size_t which = 0)
+  const Declaration declare =
+    [&](const std::string& name, const Format& format, std::uint64_t revision, Stream::KindType kind, std::size_t which)
   {
     Stream stream;
     stream.Number = arena.Declare(name, format, revision);
@@ -92,19 +92,24 @@ void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchAren
     this->Streams.push_back(stream);
     names.push_back(name);
   };
+  vtkMTPatchStreams::DeclareVertices(plan, declare);
+  vtkMTPatchStreams::DeclareTriangles(plan, declare);
+  vtkMTPatchStreams::DeclareColors(plan, declare);
+  this->Note(plan, user, names);
+  this->RemoveUnused(arena);
+}
 
+void vtkMTPatchStreams::DeclareVertices(const Plan& plan, const Declaration& declare)
+{
   if (plan.PackedNormals >= 0)
   {
-    declare(
-      PackedPositions, MakeVertexFormat(3, GL_UNSIGNED_INT, 12, true), GetPackingRevision(plan), Stream::PackedPoints);
+    declare(PackedPositions, MakeVertexFormat(3, GL_UNSIGNED_INT, 12, true), GetPackingRevision(plan),
+      Stream::PackedPoints, 0);
   }
   else
   {
-    declare(Positions, MakeVertexFormat(3, GL_INT, 12, true), 1, Stream::Points);
+    declare(Positions, MakeVertexFormat(3, GL_INT, 12, true), 1, Stream::Points, 0);
   }
-  const std::size_t index = plan.ShortIndices ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
-  declare(GetIndexStream(plan), MakeTriangleFormat((plan.Edges ? 6 : 3) * index), plan.ShortIndices ? 2 : 1,
-    Stream::Connectivity);
   for (std::size_t i = 0; i < plan.Attributes.size(); ++i)
   {
     const Floats& floats = plan.Attributes[i];
@@ -112,35 +117,47 @@ void vtkMTPatchStreams::Apply(const Plan& plan, const void* user, vtkMTPatchAren
       MakeVertexFormat(floats.Components, GL_FLOAT, sizeof(float) * static_cast<std::size_t>(floats.Components));
     declare(floats.Attribute, format, GetRevision(floats), Stream::Attribute, i);
   }
+}
+
+void vtkMTPatchStreams::DeclareTriangles(const Plan& plan, const Declaration& declare)
+{
+  const std::size_t index = plan.ShortIndices ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+  declare(GetIndexStream(plan), MakeTriangleFormat((plan.Edges ? 6 : 3) * index), plan.ShortIndices ? 2 : 1,
+    Stream::Connectivity, 0);
   const auto times = static_cast<std::size_t>(plan.PrimitivesPerTriangle);
   if (plan.CellNormals >= 0)
   {
     declare(GetCellStream(CellNormalStream, plan), MakeTriangleFormat(16 * times),
-      1 + static_cast<std::uint64_t>(plan.CellNormals), Stream::CellNormal);
+      1 + static_cast<std::uint64_t>(plan.CellNormals), Stream::CellNormal, 0);
   }
   if (!plan.CellTextures.empty())
   {
     declare(GetCellStream(CellTextureStream, plan), MakeTriangleFormat(sizeof(float) * times),
-      plan.CellTexturesRevision, Stream::Texture);
+      plan.CellTexturesRevision, Stream::Texture, 0);
   }
+}
+
+void vtkMTPatchStreams::DeclareColors(const Plan& plan, const Declaration& declare)
+{
+  const auto times = static_cast<std::size_t>(plan.PrimitivesPerTriangle);
   switch (plan.Coloring)
   {
     case PointColors:
-      declare("scalarColor", MakeVertexFormat(4, GL_UNSIGNED_BYTE, 4), GetRevision(plan.ColorRevision), Stream::Color);
+      declare(
+        "scalarColor", MakeVertexFormat(4, GL_UNSIGNED_BYTE, 4), GetRevision(plan.ColorRevision), Stream::Color, 0);
       break;
     case PointCoordinates:
-      declare(vtkMTColorCoordinates, MakeVertexFormat(2, GL_FLOAT, 8), GetRevision(plan.ColorRevision), Stream::Color);
+      declare(
+        vtkMTColorCoordinates, MakeVertexFormat(2, GL_FLOAT, 8), GetRevision(plan.ColorRevision), Stream::Color, 0);
       break;
     case CellColors:
       declare(GetCellStream(CellColorStream, plan), MakeTriangleFormat(4 * times), GetRevision(plan.ColorRevision),
-        Stream::Color);
+        Stream::Color, 0);
       break;
     case NoColors:
     case OneColor:
       break;
   }
-  this->Note(plan, user, names);
-  this->RemoveUnused(arena);
 }
 
 void vtkMTPatchStreams::Note(const Plan& plan, const void* user, const std::vector<std::string>& names)

@@ -65,7 +65,7 @@ public:
     vtkMTPackedVertices
       Packing; ///< of this array of normals, which is none of Attributes then; -1: they are not packed
     int PackedNormals = -1;
-    bool ShowsNormals = false; ///< those of points
+    bool ShowsNormals = false;             ///< those of points
     int CellNormals = -1;                  ///< an array of association Cell, or none
     std::vector<CellTexture> CellTextures; ///< each cell has the first one that it may have
     std::uint64_t CellTexturesRevision = 1;
@@ -117,6 +117,12 @@ private:
     } Kind = Points;
     std::size_t Which = 0; // of Plan::Attributes
   };
+
+  using Declaration = std::function<void(const std::string& name, const vtkMTPatchArena::Format& format,
+    std::uint64_t revision, Stream::KindType kind, std::size_t which)>;
+  static void DeclareVertices(const Plan& plan, const Declaration& declare);
+  static void DeclareTriangles(const Plan& plan, const Declaration& declare);
+  static void DeclareColors(const Plan& plan, const Declaration& declare);
 
   std::vector<float> GetCellTextures(const vtkMTGraph& graph, const vtkMTPatch& patch) const;
   std::vector<unsigned char> Make(

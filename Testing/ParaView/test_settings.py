@@ -28,6 +28,7 @@ PROXIES = {  # class: headers that have its settings
     "vtkMTEdgeCollapse": ["Filters/Simplification/vtkMTEdgeCollapse"],
     "vtkMTVoronoiPartition": ["Filters/Partition/vtkMTVoronoiPartition"],
     "vtkMTRegularPartition": ["Filters/Partition/vtkMTRegularPartition"],
+    "vtkMTKdPartition": ["Filters/Partition/vtkMTKdPartition"],
     "vtkMTFractalSphereSource": ["Filters/Sources/vtkMTFractalSphereSource"],
     "vtkMTPlaneSource": ["Filters/Sources/vtkMTPlaneSource"],
     "vtkMultiTriangulationRepresentation": ["Rendering/OpenGL2/vtkMultiTriangulationMapper"],

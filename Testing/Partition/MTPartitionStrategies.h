@@ -3,6 +3,7 @@
 #ifndef MTPartitionStrategies_h
 #define MTPartitionStrategies_h
 
+#include "vtkMTKdPartition.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkSmartPointer.h"
@@ -14,7 +15,7 @@ namespace MTPartitionTest
 {
 inline std::vector<std::string> GetStrategyNames()
 {
-  return { "AlongCurve", "RadiusScan", "Regular" };
+  return { "AlongCurve", "RadiusScan", "Regular", "Kd" };
 }
 
 inline vtkSmartPointer<vtkMTPartitionStrategy> MakeStrategy(const std::string& name)
@@ -22,6 +23,10 @@ inline vtkSmartPointer<vtkMTPartitionStrategy> MakeStrategy(const std::string& n
   if (name == "Regular")
   {
     return vtkSmartPointer<vtkMTRegularPartition>::New();
+  }
+  if (name == "Kd")
+  {
+    return vtkSmartPointer<vtkMTKdPartition>::New();
   }
   const auto strategy = vtkSmartPointer<vtkMTVoronoiPartition>::New();
   strategy->SetSeedPlacement(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTReportStrategies.h"
 
+#include "vtkMTKdPartition.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTVoronoiPartition.h"
 
@@ -20,6 +21,7 @@ const std::vector<MTReportStrategy>& MTReportGetStrategies()
     { "Voronoi, seeds along a curve", MakeVoronoi(vtkMTVoronoiPartition::ALONG_CURVE) },
     { "Voronoi, radius scan", MakeVoronoi(vtkMTVoronoiPartition::RADIUS_SCAN) },
     { "regular", vtkSmartPointer<vtkMTRegularPartition>::New() },
+    { "k-d tree", vtkSmartPointer<vtkMTKdPartition>::New() },
   };
   return strategies;
 }
