@@ -3,7 +3,62 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstring>
+#include <iterator>
+#include <limits>
+
+// The loops over a block are compiled for wide vectors too, and give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define MT_FOR_WIDE_PROCESSORS __attribute__((target_clones("avx2", "default")))
+#else
+#define MT_FOR_WIDE_PROCESSORS
+#endif
+
+namespace
+{
+constexpr std::size_t BlockSize = 128;
+
+// All of them always have a direction.
+struct Normals
+{
+  Normals() { std::fill(std::begin(this->Z), std::end(this->Z), 1.0f); }
+
+  float X[BlockSize] = {};
+  float Y[BlockSize] = {};
+  float Z[BlockSize];
+  std::uint32_t Codes[BlockSize] = {};
+};
+
+// What has no direction gets that along z.
+inline void Set(Normals& normals, std::size_t i, const float normal[3])
+{
+  const float sum = std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]);
+  const bool isNormal = sum > 0.0f && sum <= std::numeric_limits<float>::max();
+  normals.X[i] = isNormal ? normal[0] : 0.0f;
+  normals.Y[i] = isNormal ? normal[1] : 0.0f;
+  normals.Z[i] = isNormal ? normal[2] : 1.0f;
+}
+
+// On an even grid of 2 half + 1 points for each of two numbers of so many bits. No branches, so that several normals
+// are encoded at once.
+MT_FOR_WIDE_PROCESSORS void Encode(Normals& normals, float half, int bits)
+{
+  for (std::size_t i = 0; i < BlockSize; ++i)
+  {
+    const float sum = std::abs(normals.X[i]) + std::abs(normals.Y[i]) + std::abs(normals.Z[i]);
+    float x = normals.X[i] / sum;
+    float y = normals.Y[i] / sum;
+    const float z = normals.Z[i] / sum;
+    // The lower half is folded over the edges of the upper one.
+    const float fold = 0.5f * (std::abs(z) - z);
+    x += std::copysign(fold, x);
+    y += std::copysign(fold, y);
+    const auto first = static_cast<std::int32_t>(half * x + half + 0.5f);
+    const auto second = static_cast<std::int32_t>(half * y + half + 0.5f);
+    normals.Codes[i] = static_cast<std::uint32_t>(first) | static_cast<std::uint32_t>(second) << bits;
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkMTPackedVertices vtkMTPackedVertices::ForBox(const vtkMTBox& box)
@@ -28,31 +83,17 @@ vtkMTPackedVertices vtkMTPackedVertices::ForBox(const vtkMTBox& box)
 //------------------------------------------------------------------------------
 std::uint32_t vtkMTPackedVertices::EncodeNormal(const float normal[3]) const
 {
-  const int bits = this->GetNormalBits();
-  const float half = static_cast<float>((1 << (bits - 1)) - 1);
-  const float sum = std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]);
-  float x = 0.0f;
-  float y = 0.0f;
-  if (sum > 0.0f && std::isfinite(sum))
-  {
-    x = normal[0] / sum;
-    y = normal[1] / sum;
-    if (normal[2] < 0.0f)
-    {
-      const float folded = std::copysign(1.0f - std::abs(y), x);
-      y = std::copysign(1.0f - std::abs(x), y);
-      x = folded;
-    }
-  }
-  const auto toGrid = [half](float value) { return static_cast<std::uint32_t>(half * value + half + 0.5f); };
-  return toGrid(x) | toGrid(y) << bits;
+  Normals one;
+  Set(one, 0, normal);
+  Encode(one, this->GetHalf(), this->GetNormalBits());
+  return one.Codes[0];
 }
 
 //------------------------------------------------------------------------------
 std::array<float, 3> vtkMTPackedVertices::DecodeNormal(std::uint32_t code) const
 {
   const int bits = this->GetNormalBits();
-  const float half = static_cast<float>((1 << (bits - 1)) - 1);
+  const float half = this->GetHalf();
   float x = static_cast<float>(code & ((1u << bits) - 1)) / half - 1.0f;
   float y = static_cast<float>(code >> bits) / half - 1.0f;
   const float z = 1.0f - std::abs(x) - std::abs(y);
@@ -64,23 +105,34 @@ std::array<float, 3> vtkMTPackedVertices::DecodeNormal(std::uint32_t code) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> vtkMTPackedVertices::Pack(const vtkMTPatch& patch, const std::vector<float>& normals) const
+bool vtkMTPackedVertices::Pack(const vtkMTPatch& patch, const float* normals, unsigned char* bytes) const
 {
   const std::size_t wedges = patch.GetNumberOfWedges();
-  const std::uint32_t mask = (1u << this->Shift) - 1;
-  std::vector<std::uint32_t> words(3 * wedges);
-  std::uint64_t seen = 0; // all bits of all positions; a negative one has the highest
-  for (std::size_t wedge = 0; wedge < wedges; ++wedge)
+  const auto shift = static_cast<std::uint32_t>(this->Shift);
+  const std::uint32_t mask = (1u << shift) - 1;
+  std::uint32_t seen = 0; // all bits of all positions
+  Normals block;
+  for (std::size_t first = 0; first < wedges; first += BlockSize)
   {
-    const vtkMTPoint& point = patch.Points[patch.GetPointOfWedge(static_cast<std::uint32_t>(wedge))];
-    const std::uint32_t code = this->EncodeNormal(&normals[3 * wedge]);
-    for (std::size_t i = 0; i < 3; ++i)
+    const std::size_t count = std::min(BlockSize, wedges - first);
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const auto above = static_cast<std::uint64_t>(std::int64_t(point[i]) - this->Corner[i]);
-      seen |= above;
-      words[3 * wedge + i] =
-        static_cast<std::uint32_t>(above << this->Shift) | (code >> (i * static_cast<std::size_t>(this->Shift)) & mask);
+      Set(block, i, normals + 3 * (first + i));
+    }
+    Encode(block, this->GetHalf(), this->GetNormalBits());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const vtkMTPoint& point = patch.Points[patch.GetPointOfWedge(static_cast<std::uint32_t>(first + i))];
+      const std::uint32_t code = block.Codes[i];
+      // Unsigned: what lies below the corner becomes large, and so is seen to lie outside.
+      const std::uint32_t x = static_cast<std::uint32_t>(point[0]) - static_cast<std::uint32_t>(this->Corner[0]);
+      const std::uint32_t y = static_cast<std::uint32_t>(point[1]) - static_cast<std::uint32_t>(this->Corner[1]);
+      const std::uint32_t z = static_cast<std::uint32_t>(point[2]) - static_cast<std::uint32_t>(this->Corner[2]);
+      seen |= x | y | z;
+      const std::uint32_t words[3] = { x << shift | (code & mask), y << shift | (code >> shift & mask),
+        z << shift | (code >> 2 * shift & mask) };
+      std::memcpy(bytes + Bytes * (first + i), words, Bytes);
     }
   }
-  return seen >> (32 - this->Shift) == 0 ? words : std::vector<std::uint32_t>();
+  return seen >> (32 - shift) == 0;
 }

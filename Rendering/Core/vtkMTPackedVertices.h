@@ -23,11 +23,12 @@
 #include "vtkMTRenderingCoreModule.h" // For export macro
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 struct VTKMTRENDERINGCORE_EXPORT vtkMTPackedVertices
 {
+  static constexpr std::size_t Bytes = 12; ///< of a vertex
   static constexpr int LeastShift = 7;
   static constexpr int MostShift = 10;
 
@@ -37,6 +38,8 @@ struct VTKMTRENDERINGCORE_EXPORT vtkMTPackedVertices
   static vtkMTPackedVertices ForBox(const vtkMTBox& box);
   /// Bits of each of a normal's two numbers.
   int GetNormalBits() const { return 3 * this->Shift / 2; }
+  /// The grid of each number goes from 0 to twice this.
+  float GetHalf() const { return static_cast<float>((1 << (this->GetNormalBits() - 1)) - 1); }
 
   ///@{
   /// The code of a normal of any length, and the unit normal of a code.
@@ -44,8 +47,8 @@ struct VTKMTRENDERINGCORE_EXPORT vtkMTPackedVertices
   std::array<float, 3> DecodeNormal(std::uint32_t code) const;
   ///@}
 
-  /// Three words per wedge, from three floats per wedge; none where a point lies outside the box.
-  std::vector<std::uint32_t> Pack(const vtkMTPatch& patch, const std::vector<float>& normals) const;
+  /// Writes Bytes per wedge, from three floats per wedge. False where a point lies outside the box.
+  bool Pack(const vtkMTPatch& patch, const float* normals, unsigned char* bytes) const;
 };
 
 #endif

@@ -3,9 +3,12 @@
 
 #include "vtkDataArray.h"
 #include "vtkMTGraph.h"
+#include "vtkMTPackedVertices.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 namespace
 {
@@ -14,6 +17,21 @@ int FindIf(const vtkMTGraph& graph, Predicate predicate)
 {
   const auto found = std::find_if(graph.Arrays.begin(), graph.Arrays.end(), predicate);
   return found != graph.Arrays.end() ? static_cast<int>(found - graph.Arrays.begin()) : -1;
+}
+
+template <typename Index, std::size_t Each, typename Arrange>
+std::vector<unsigned char> MakeIndices(const vtkMTPatch& patch, Arrange arrange)
+{
+  using Indices = std::array<Index, Each>;
+  std::vector<unsigned char> bytes(sizeof(Indices) * patch.Triangles.size());
+  unsigned char* to = bytes.data();
+  for (const vtkMTTriangle& t : patch.Triangles)
+  {
+    const Indices indices = arrange({ static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2]) });
+    std::memcpy(to, indices.data(), sizeof(Indices));
+    to += sizeof(Indices);
+  }
+  return bytes;
 }
 }
 
@@ -68,43 +86,50 @@ vtkSmartPointer<vtkDataArray> vtkMTPatchAttributes::GetArray(
   return result;
 }
 
-std::vector<std::int32_t> vtkMTPatchAttributes::GetPositions(const vtkMTPatch& patch)
+std::vector<unsigned char> vtkMTPatchAttributes::GetPositions(const vtkMTPatch& patch)
 {
-  std::vector<std::int32_t> positions;
   const std::size_t wedges = patch.GetNumberOfWedges();
-  positions.reserve(3 * wedges);
+  std::vector<unsigned char> bytes(wedges * sizeof(vtkMTPoint));
+  if (patch.WedgePoints.empty())
+  {
+    std::memcpy(bytes.data(), patch.Points.data(), bytes.size());
+    return bytes;
+  }
   for (std::size_t wedge = 0; wedge < wedges; ++wedge)
   {
-    const vtkMTPoint& point = patch.Points[patch.GetPointOfWedge(static_cast<std::uint32_t>(wedge))];
-    positions.insert(positions.end(), point.begin(), point.end());
+    std::memcpy(&bytes[wedge * sizeof(vtkMTPoint)], &patch.Points[patch.WedgePoints[wedge]], sizeof(vtkMTPoint));
   }
-  return positions;
+  return bytes;
+}
+
+std::vector<unsigned char> vtkMTPatchAttributes::GetPackedVertices(
+  const vtkMTPackedVertices& packing, vtkDataArray* normals, const vtkMTPatch& patch)
+{
+  std::vector<float> converted;
+  const auto* floats = static_cast<const float*>(normals->GetVoidPointer(0));
+  if (normals->GetDataType() != VTK_FLOAT || normals->GetNumberOfComponents() != 3)
+  {
+    converted = vtkMTPatchAttributes::GetFloats(normals, 3);
+    floats = converted.data();
+  }
+  std::vector<unsigned char> bytes(patch.GetNumberOfWedges() * vtkMTPackedVertices::Bytes);
+  const bool fits = static_cast<std::size_t>(normals->GetNumberOfTuples()) == patch.GetNumberOfWedges() &&
+    packing.Pack(patch, floats, bytes.data());
+  return fits ? bytes : std::vector<unsigned char>();
 }
 
 template <typename Index>
-std::vector<Index> vtkMTPatchAttributes::GetIndices(const vtkMTPatch& patch, bool edges)
+std::vector<unsigned char> vtkMTPatchAttributes::GetIndices(const vtkMTPatch& patch, bool edges)
 {
-  std::vector<Index> indices;
-  indices.reserve((edges ? 6 : 3) * patch.Triangles.size());
-  for (const vtkMTTriangle& t : patch.Triangles)
-  {
-    const auto a = static_cast<Index>(t[0]);
-    const auto b = static_cast<Index>(t[1]);
-    const auto c = static_cast<Index>(t[2]);
-    if (edges)
-    {
-      indices.insert(indices.end(), { a, b, b, c, c, a });
-    }
-    else
-    {
-      indices.insert(indices.end(), { a, b, c });
-    }
-  }
-  return indices;
+  return edges ? MakeIndices<Index, 6>(patch,
+                   [](const std::array<Index, 3>& t) {
+                     return std::array<Index, 6>{ t[0], t[1], t[1], t[2], t[2], t[0] };
+                   })
+               : MakeIndices<Index, 3>(patch, [](const std::array<Index, 3>& t) { return t; });
 }
 
-template std::vector<std::uint16_t> vtkMTPatchAttributes::GetIndices<std::uint16_t>(const vtkMTPatch&, bool);
-template std::vector<std::uint32_t> vtkMTPatchAttributes::GetIndices<std::uint32_t>(const vtkMTPatch&, bool);
+template std::vector<unsigned char> vtkMTPatchAttributes::GetIndices<std::uint16_t>(const vtkMTPatch&, bool);
+template std::vector<unsigned char> vtkMTPatchAttributes::GetIndices<std::uint32_t>(const vtkMTPatch&, bool);
 
 std::vector<float> vtkMTPatchAttributes::GetFloats(vtkDataArray* array, int components, int component)
 {

@@ -3,7 +3,8 @@
  * @class vtkMTPatchAttributes
  * @brief a patch's data as the GPU wants it
  *
- * Every function gives tightly packed values: per wedge for vertex data, per triangle for the rest.
+ * Every function gives tightly packed values: per wedge for vertex data, per triangle for the rest. What every patch
+ * needs is written as bytes at once: patches come by the hundred while a user moves.
  */
 #ifndef vtkMTPatchAttributes_h
 #define vtkMTPatchAttributes_h
@@ -19,6 +20,7 @@
 
 class vtkDataArray;
 class vtkMTGraph;
+struct vtkMTPackedVertices;
 class vtkUnsignedCharArray;
 
 struct vtkMTPatchAttributes
@@ -37,11 +39,15 @@ struct vtkMTPatchAttributes
   /// patches of the finest level have any, and this is none.
   static vtkSmartPointer<vtkDataArray> GetArray(const vtkMTGraph& graph, int array, const vtkMTPatch& patch);
 
-  /// Lattice integers, three per wedge.
-  static std::vector<std::int32_t> GetPositions(const vtkMTPatch& patch);
+  /// Lattice integers of 32 bits, three per wedge.
+  static std::vector<unsigned char> GetPositions(const vtkMTPatch& patch);
+  /// Three words per wedge, positions and normals of an array of three floats or anything else; none where they cannot
+  /// be packed.
+  static std::vector<unsigned char> GetPackedVertices(
+    const vtkMTPackedVertices& packing, vtkDataArray* normals, const vtkMTPatch& patch);
   /// Three indices for each triangle, or two for each of its edges. Index: std::uint16_t or std::uint32_t.
   template <typename Index>
-  static std::vector<Index> GetIndices(const vtkMTPatch& patch, bool edges);
+  static std::vector<unsigned char> GetIndices(const vtkMTPatch& patch, bool edges);
   /// The array's values with `components` components each, missing ones 0; component -1 starts at the first one.
   static std::vector<float> GetFloats(vtkDataArray* array, int components, int component = -1);
   /// Four bytes per tuple, each tuple `times` times.

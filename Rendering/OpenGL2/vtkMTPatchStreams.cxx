@@ -265,18 +265,17 @@ std::vector<unsigned char> vtkMTPatchStreams::Make(
   switch (stream.Kind)
   {
     case Stream::Points:
-      bytes = ToBytes(vtkMTPatchAttributes::GetPositions(patch));
+      bytes = vtkMTPatchAttributes::GetPositions(patch);
       break;
     case Stream::PackedPoints:
     {
       const auto array = vtkMTPatchAttributes::GetArray(graph, this->Current.PackedNormals, patch);
-      bytes = ToBytes(this->Current.Packing.Pack(patch, vtkMTPatchAttributes::GetFloats(array, 3)));
+      bytes = vtkMTPatchAttributes::GetPackedVertices(this->Current.Packing, array, patch);
       break;
     }
     case Stream::Connectivity:
-      bytes = this->Current.ShortIndices
-        ? ToBytes(vtkMTPatchAttributes::GetIndices<std::uint16_t>(patch, this->Current.Edges))
-        : ToBytes(vtkMTPatchAttributes::GetIndices<std::uint32_t>(patch, this->Current.Edges));
+      bytes = this->Current.ShortIndices ? vtkMTPatchAttributes::GetIndices<std::uint16_t>(patch, this->Current.Edges)
+                                         : vtkMTPatchAttributes::GetIndices<std::uint32_t>(patch, this->Current.Edges);
       break;
     case Stream::Attribute:
     {

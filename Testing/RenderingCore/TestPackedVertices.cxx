@@ -81,6 +81,16 @@ TEST(PackedVertices, NormalsAreOffByNoMoreThanIsSaid)
   }
 }
 
+TEST(PackedVertices, TheSmallestNormalsHaveDirectionsToo)
+{
+  const auto packing = vtkMTPackedVertices::ForBox(MakeBox(1000));
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  const Normal normal{ 0.0f, 3.0f * tiny, -4.0f * tiny };
+  EXPECT_LT(GetDegrees({ 0.0f, 3.0f, -4.0f }, packing.DecodeNormal(packing.EncodeNormal(normal.data()))), 0.01);
+  const Normal largest{ 0.0f, 0.0f, -std::numeric_limits<float>::max() };
+  EXPECT_EQ(packing.DecodeNormal(packing.EncodeNormal(largest.data())), (Normal{ 0.0f, 0.0f, -1.0f }));
+}
+
 TEST(PackedVertices, DirectionsAlongTheAxesAreExactAndNothingElseIsNoNumber)
 {
   const auto packing = vtkMTPackedVertices::ForBox(MakeBox((1 << 24) - 1));
@@ -126,8 +136,9 @@ TEST(PackedVertices, PositionsComeBackAndPlacesOutsideAreRefused)
       const Normal normal = MakeNormal(random);
       normals.insert(normals.end(), normal.begin(), normal.end());
     }
-    const std::vector<std::uint32_t> words = packing.Pack(patch, normals);
-    ASSERT_EQ(words.size(), 3 * patch.Points.size());
+    std::vector<std::uint32_t> words(3 * patch.Points.size());
+    auto* bytes = reinterpret_cast<unsigned char*>(words.data());
+    ASSERT_TRUE(packing.Pack(patch, normals.data(), bytes));
     const std::uint32_t mask = (1u << packing.Shift) - 1;
     for (std::size_t i = 0; i < patch.Points.size(); ++i)
     {
@@ -141,6 +152,6 @@ TEST(PackedVertices, PositionsComeBackAndPlacesOutsideAreRefused)
       EXPECT_EQ(code, packing.EncodeNormal(&normals[3 * i]));
     }
     patch.Points.back()[1] = box[2] - 1;
-    EXPECT_TRUE(packing.Pack(patch, normals).empty());
+    EXPECT_FALSE(packing.Pack(patch, normals.data(), bytes));
   }
 }
