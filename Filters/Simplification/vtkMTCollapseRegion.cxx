@@ -19,6 +19,7 @@ vtkMTCollapseRegion::vtkMTCollapseRegion(const vtkMTPatch& floor, const vtkMTFan
   std::iota(this->Parents.begin(), this->Parents.end(), 0u);
   this->PlaceVertices(fans);
   this->FillStates(fans);
+  this->FillNormals();
 }
 
 void vtkMTCollapseRegion::PlaceVertices(const vtkMTFanMesh& fans)
@@ -47,7 +48,7 @@ void vtkMTCollapseRegion::PlaceVertices(const vtkMTFanMesh& fans)
     const vtkMTPoint& k = this->Floor.Points[fans.Point[v]];
     for (int i = 0; i < 3; ++i)
     {
-      this->Mesh.Places[v][i] = static_cast<double>(k[i] - this->Origin[i]) * inverse;
+      this->Mesh.Places[v].At[i] = static_cast<double>(k[i] - this->Origin[i]) * inverse;
     }
   }
 }
@@ -96,7 +97,7 @@ std::uint32_t vtkMTCollapseRegion::Collapse(std::uint32_t h, const Vector& place
   const std::uint32_t removed = this->NoteCollapse(h, place);
   const std::uint32_t kept = this->Mesh.GetTarget(removed);
   this->Mesh.Collapse(removed);
-  this->Mesh.Places[kept] = place;
+  this->Mesh.Places[kept].At = place;
   this->EndCollapse(kept);
   return kept;
 }
@@ -109,6 +110,7 @@ void vtkMTCollapseRegion::BeginCollapse(std::uint32_t h, const Vector& place)
 void vtkMTCollapseRegion::EndCollapse(std::uint32_t kept)
 {
   this->States[kept] = this->Surviving;
+  this->UpdateNormals(kept);
   if (this->Seams)
   {
     this->RestoreCorners();

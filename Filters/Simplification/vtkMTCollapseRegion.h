@@ -28,6 +28,7 @@
 #include <cstdint>
 #include <exception>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,9 @@ public:
   std::uint64_t Steps = 0;
   std::uint64_t StepLimit = ~std::uint64_t(0);
 
+  /// Of a triangle; as long as twice its area.
+  const Vector& GetNormal(std::uint32_t face) const { return this->Normals[face].At; }
+
   const VertexState& GetState(std::uint32_t v) const { return this->States[v]; }
 
   bool IsSeamEdge(std::uint32_t h) const;
@@ -117,12 +121,15 @@ public:
     return (r0 | r1) == Plain ? Rule::Free : this->GetRuleOfRanks(h, r0, r1);
   }
 
-  /// The nearest lattice point's place.
+  ///@{
+  /// The nearest lattice point's place: a number is added, and subtracted again.
+  double GetMagic() const { return this->Magic; }
   Vector Snap(const Vector& p) const
   {
     const double m = this->Magic;
     return { (p[0] + m) - m, (p[1] + m) - m, (p[2] + m) - m };
   }
+  ///@}
 
   /// Whether the mesh stays a manifold without twin triangles: the link condition, with care at borders and for closed
   /// parts.
@@ -166,7 +173,7 @@ private:
     std::uint32_t Target;
   };
   // The triangles around a vertex, those of a run that were seen first and last.
-  struct Ring
+  struct Run
   {
     std::uint32_t FirstA = None;
     std::uint32_t FirstB = None;
@@ -174,6 +181,7 @@ private:
     std::uint32_t LastB = None;
     Vector FirstNormal{ 0.0, 0.0, 0.0 };
     Vector LastNormal{ 0.0, 0.0, 0.0 };
+    Vector ToLastB{ 0.0, 0.0, 0.0 }; // from the place
   };
 
   void PlaceVertices(const vtkMTFanMesh& fans);
@@ -186,6 +194,9 @@ private:
   bool IsNextToOtherFan(std::uint32_t v, std::uint32_t fan) const;
   static bool IsTurned(const Vector& before, const Vector& after);
   bool FoldsAtLink(std::uint32_t h, std::uint32_t link, const Vector& normal) const;
+  void FillNormals();
+  void UpdateNormals(std::uint32_t v);
+  void UpdateNormalsOfRing();
   bool IsTetrahedron(std::uint32_t h) const;
   void MarkNeighbours(std::uint32_t v) const;
   bool IsClosableHole(std::uint32_t h, double maximumDiagonal) const;
@@ -201,9 +212,11 @@ private:
 
   const vtkMTPatch& Floor;
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 };
-  double Scale = 1.0;                 // lattice steps per unit here, a power of two
-  double Magic = 0.0;                 // adding and subtracting it rounds to the lattice
-  std::vector<std::uint32_t> Parents; // [the floor's points] what each has been merged into, or itself
+  double Scale = 1.0;                                  // lattice steps per unit here, a power of two
+  double Magic = 0.0;                                  // adding and subtracting it rounds to the lattice
+  std::vector<std::uint32_t> Parents;                  // [the floor's points] what each has been merged into, or itself
+  std::unique_ptr<vtkMTCollapseMesh::Place[]> Normals; // [faces]
+  std::vector<std::uint32_t> Ring;                     // half-edges of triangles, as many as fill fours
   VertexState Surviving;
   std::vector<SavedCorner> Saved;
   mutable std::vector<std::uint32_t> Marks; // [vertices] the neighbours of a vertex carry the present mark

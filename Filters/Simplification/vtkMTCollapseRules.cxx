@@ -188,7 +188,7 @@ bool AreFolded(const Vector& n, const Vector& m)
 bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) const
 {
   const vtkMTCollapseMesh& m = this->Mesh;
-  Ring ring;
+  Run ring;
   for (const std::uint32_t start : { h, h ^ 1 })
   {
     const Vector& center = m.GetPlace(m.GetSource(start));
@@ -203,11 +203,12 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
       const std::uint32_t link = m.GetNext(out);
       const std::uint32_t a = m.GetTarget(out);
       const std::uint32_t b = m.GetTarget(link);
-      const Vector& pa = m.GetPlace(a);
-      const Vector& pb = m.GetPlace(b);
-      const Vector normal = Cross(Subtract(pa, place), Subtract(pb, place));
-      if ((isMoved && this->IsTurned(Cross(Subtract(pa, center), Subtract(pb, center)), normal)) ||
-        (ring.LastB == a && AreFolded(ring.LastNormal, normal)) || this->FoldsAtLink(h, link, normal))
+      const bool isNext = ring.LastB == a;
+      const Vector toA = isNext ? ring.ToLastB : Subtract(m.GetPlace(a), place);
+      const Vector toB = Subtract(m.GetPlace(b), place);
+      const Vector normal = Cross(toA, toB);
+      if ((isMoved && this->IsTurned(this->GetNormal(m.GetFace(out)), normal)) ||
+        (isNext && AreFolded(ring.LastNormal, normal)) || this->FoldsAtLink(h, link, normal))
       {
         return true;
       }
@@ -220,6 +221,7 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
       ring.LastA = a;
       ring.LastB = b;
       ring.LastNormal = normal;
+      ring.ToLastB = toB;
     }
   }
   return ring.LastB != None && ring.LastB == ring.FirstA && ring.LastA != ring.FirstB &&
@@ -240,10 +242,12 @@ bool vtkMTCollapseRegion::FoldsAtLink(std::uint32_t h, std::uint32_t link, const
   {
     return false;
   }
+  if (!AreFolded(this->GetNormal(m.GetFace(outer)), normal))
+  {
+    return false;
+  }
   const std::uint32_t w = m.GetTarget(m.GetNext(outer));
-  const Vector& a = m.GetPlace(m.GetTarget(outer));
-  return w != m.GetSource(h) && w != m.GetTarget(h) &&
-    AreFolded(Cross(Subtract(m.GetPlace(w), a), Subtract(m.GetPlace(m.GetTarget(link)), a)), normal);
+  return w != m.GetSource(h) && w != m.GetTarget(h);
 }
 
 void vtkMTCollapseRegion::MarkNeighbours(std::uint32_t v) const
