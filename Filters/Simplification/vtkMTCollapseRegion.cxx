@@ -59,17 +59,17 @@ void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans)
   for (std::uint32_t v = 0; v < this->States.size(); ++v)
   {
     this->States[v].Point = fans.Point[v];
+    this->States[v].Wedge = fans.Wedge[fans.Corner[v]];
     this->States[v].Lock = fans.Lock[v];
     this->States[v].Rank = fans.Lock[v] ? Kept : Plain;
     this->Split = this->Split || (fans.Lock[v] & vtkMTFanMesh::NonManifold);
   }
   for (std::uint32_t c = 0; c < fans.Vertex.size(); ++c)
   {
-    VertexState& state = this->States[fans.Vertex[c]];
-    state.Wedge = fans.Wedge[c];
-    if (fans.Opposite[c] == vtkMTFanMesh::None && state.Rank == Plain)
+    if (fans.Opposite[c] == vtkMTFanMesh::None)
     {
-      state.Rank = Border;
+      VertexState& state = this->States[fans.Vertex[c]];
+      state.Rank = state.Rank == Plain ? Border : state.Rank;
     }
   }
   for (std::uint32_t v = 0; this->Seams && v < this->States.size(); ++v)
@@ -195,43 +195,58 @@ vtkMTPoint vtkMTCollapseRegion::ToLattice(const Vector& p) const
 
 void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
 {
-  constexpr std::uint32_t none = vtkMTFanMesh::None;
-  std::vector<std::uint32_t> pointMap(this->Floor.Points.size(), none);
-  std::vector<std::uint32_t> wedgeMap(this->Floor.GetNumberOfWedges(), none);
+  Extraction numbers{ std::vector<std::uint32_t>(this->Floor.Points.size(), None),
+    std::vector<std::uint32_t>(this->Floor.GetNumberOfWedges(), None) };
+  std::vector<std::uint32_t> ofVertices(this->Seams ? 0 : this->States.size(), None); // their wedges in the result
   result.Triangles.reserve(this->Faces);
-  for (std::uint32_t f = 0; f < this->Mesh.Faces.size(); ++f)
+  for (std::uint32_t h : this->Mesh.Faces)
   {
-    if (!this->Mesh.IsFace(f))
+    if (h == None)
     {
       continue;
     }
     vtkMTTriangle triangle;
-    std::uint32_t h = this->Mesh.Faces[f];
     for (std::uint32_t& corner : triangle)
     {
       const std::uint32_t v = this->Mesh.GetTarget(h);
-      const VertexState& state = this->GetState(v);
-      const std::uint32_t wedge = this->Seams ? this->Mesh.Wedges[h] : state.Wedge;
-      if (pointMap[state.Point] == none)
+      if (this->Seams)
       {
-        pointMap[state.Point] = static_cast<std::uint32_t>(result.Points.size());
-        const vtkMTPoint& before = this->Floor.Points[state.Point];
-        result.Points.push_back(state.Lock ? before : this->ToLattice(this->Mesh.GetPlace(v)));
-        result.PointOrigin.push_back(state.Point);
-        result.Moved.push_back(result.Points.back() != before ? 1 : 0);
+        corner = this->ExtractWedge(v, this->Mesh.Wedges[h], numbers, result);
       }
-      if (wedgeMap[wedge] == none)
+      else
       {
-        wedgeMap[wedge] = static_cast<std::uint32_t>(result.WedgePoints.size());
-        result.WedgePoints.push_back(pointMap[state.Point]);
-        result.WedgeOrigin.push_back(wedge);
+        std::uint32_t& ofVertex = ofVertices[v];
+        ofVertex = ofVertex == None ? this->ExtractWedge(v, this->GetState(v).Wedge, numbers, result) : ofVertex;
+        corner = ofVertex;
       }
-      corner = wedgeMap[wedge];
       h = this->Mesh.GetNext(h);
     }
     result.Triangles.push_back(triangle);
   }
-  this->ExtractHeirs(pointMap, result);
+  this->ExtractHeirs(numbers.OfPoints, result);
+}
+
+// The result's number of a wedge of the vertex.
+std::uint32_t vtkMTCollapseRegion::ExtractWedge(
+  std::uint32_t v, std::uint32_t wedge, Extraction& numbers, vtkMTSimplification& result) const
+{
+  const VertexState& state = this->GetState(v);
+  std::uint32_t& point = numbers.OfPoints[state.Point];
+  if (point == None)
+  {
+    point = static_cast<std::uint32_t>(result.Points.size());
+    const vtkMTPoint& before = this->Floor.Points[state.Point];
+    result.Points.push_back(state.Lock ? before : this->ToLattice(this->Mesh.GetPlace(v)));
+    result.PointOrigin.push_back(state.Point);
+    result.Moved.push_back(result.Points.back() != before ? 1 : 0);
+  }
+  if (numbers.OfWedges[wedge] == None)
+  {
+    numbers.OfWedges[wedge] = static_cast<std::uint32_t>(result.WedgePoints.size());
+    result.WedgePoints.push_back(point);
+    result.WedgeOrigin.push_back(wedge);
+  }
+  return numbers.OfWedges[wedge];
 }
 
 void vtkMTCollapseRegion::ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const

@@ -208,6 +208,14 @@ private:
   void SaveCorner(std::uint32_t out, std::uint32_t apex);
   void RestoreCorners();
   vtkMTPoint ToLattice(const Vector& p) const;
+  // The result's numbers of what the floor has, or None.
+  struct Extraction
+  {
+    std::vector<std::uint32_t> OfPoints;
+    std::vector<std::uint32_t> OfWedges;
+  };
+  std::uint32_t ExtractWedge(
+    std::uint32_t v, std::uint32_t wedge, Extraction& numbers, vtkMTSimplification& result) const;
   void ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const;
 
   const vtkMTPatch& Floor;

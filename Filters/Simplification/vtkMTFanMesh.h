@@ -42,6 +42,7 @@ public:
   std::vector<std::uint32_t> Wedge;    ///< [3 t] the floor's wedge of each corner
   std::vector<std::uint32_t> Opposite; ///< [3 t] the edge that each edge is paired with, or None at a border
   std::vector<std::uint32_t> Point;    ///< [v] the floor's point of each vertex
+  std::vector<std::uint32_t> Corner;   ///< [v] a corner of each vertex
   std::vector<unsigned char> Lock;     ///< [v] LockType bits
   bool Seams = false;                  ///< whether the wedges differ across any paired edge
 

@@ -59,7 +59,7 @@ void vtkMTQuadrics::Update(std::uint32_t kept)
   this->List.assign(1, kept);
   do
   {
-    if (!this->IsStillGood(m.GetTarget(h)))
+    if (!this->R.IsHub(m.GetTarget(h)) || !this->IsStillGood(m.GetTarget(h)))
     {
       this->List.push_back(m.GetTarget(h));
     }
@@ -68,13 +68,9 @@ void vtkMTQuadrics::Update(std::uint32_t kept)
   this->MakeQuadrics();
 }
 
-// Whether a vertex is a hub with few changes, of which one more is counted.
+// Whether a hub has few changes, of which one more is counted.
 bool vtkMTQuadrics::IsStillGood(std::uint32_t v)
 {
-  if (!this->R.IsHub(v))
-  {
-    return false;
-  }
   std::uint32_t& changes = this->ChangesOfHubs[v];
   changes = 8 * changes < this->R.Mesh.GetValence(v) ? changes + 1 : 0;
   return changes > 0;
