@@ -3,11 +3,13 @@
 
 #include "vtkMTFanMesh.h"
 
+#include <memory>
+
 vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
 {
   const auto corners = static_cast<std::uint32_t>(fans.Vertex.size());
-  std::vector<std::uint32_t> halfedges(corners); // that of each edge of a triangle
-  std::vector<std::uint32_t> borders;           // the corners behind whose edges nothing is
+  const std::unique_ptr<std::uint32_t[]> halfedges(new std::uint32_t[corners]); // that of each edge of a triangle
+  std::vector<std::uint32_t> borders; // the corners behind whose edges nothing is
   std::uint32_t count = 0;
   for (std::uint32_t c = 0; c < corners; ++c)
   {
@@ -34,7 +36,7 @@ vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
   this->Valences.assign(fans.GetNumberOfVertices(), 0);
   for (std::uint32_t c = 0; c < corners; c += 3)
   {
-    const std::uint32_t* const h = halfedges.data() + c;
+    const std::uint32_t* const h = halfedges.get() + c;
     const std::uint32_t* const v = fans.Vertex.data() + c;
     this->Halfedges[h[0]] = { v[1], h[1], h[2], c / 3 };
     this->Halfedges[h[1]] = { v[2], h[2], h[0], c / 3 };
@@ -50,12 +52,12 @@ vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
   {
     this->Wedges[halfedges[c]] = fans.Wedge[vtkMTFanMesh::Next(c)];
   }
-  this->LinkBorders(fans, halfedges, borders);
+  this->LinkBorders(fans, halfedges.get(), borders);
 }
 
 // A vertex is one fan, so at most one border half-edge runs into it and one out of it.
 void vtkMTCollapseMesh::LinkBorders(
-  const vtkMTFanMesh& fans, const std::vector<std::uint32_t>& halfedges, const std::vector<std::uint32_t>& borders)
+  const vtkMTFanMesh& fans, const std::uint32_t* halfedges, const std::vector<std::uint32_t>& borders)
 {
   for (const std::uint32_t c : borders)
   {

@@ -95,8 +95,7 @@ public:
 
 private:
   void RemoveSide(std::uint32_t side, std::uint32_t dying, std::uint32_t heir);
-  void LinkBorders(
-    const vtkMTFanMesh& fans, const std::vector<std::uint32_t>& halfedges, const std::vector<std::uint32_t>& borders);
+  void LinkBorders(const vtkMTFanMesh& fans, const std::uint32_t* halfedges, const std::vector<std::uint32_t>& borders);
 };
 
 #endif

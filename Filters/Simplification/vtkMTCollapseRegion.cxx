@@ -22,14 +22,31 @@ vtkMTCollapseRegion::vtkMTCollapseRegion(const vtkMTPatch& floor, const vtkMTFan
   this->FillNormals();
 }
 
+void vtkMTCollapseRegion::FindBox(const vtkMTFanMesh& fans)
+{
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+  vtkMTPoint low{ most, most, most };
+  vtkMTPoint high{ least, least, least };
+  for (const std::uint32_t point : fans.Point)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] = std::min(low[i], this->Floor.Points[point][i]);
+      high[i] = std::max(high[i], this->Floor.Points[point][i]);
+    }
+  }
+  this->Box = { low[0], high[0], low[1], high[1], low[2], high[2] };
+}
+
 void vtkMTCollapseRegion::PlaceVertices(const vtkMTFanMesh& fans)
 {
-  const vtkMTBox box = this->Floor.GetBox();
+  this->FindBox(fans);
   double half = 1.0;
   for (int i = 0; i < 3; ++i)
   {
-    const std::int64_t low = box[2 * i];
-    const std::int64_t high = box[2 * i + 1];
+    const std::int64_t low = this->Box[2 * i];
+    const std::int64_t high = this->Box[2 * i + 1];
     if (low > high)
     {
       continue;
@@ -98,7 +115,17 @@ std::uint32_t vtkMTCollapseRegion::Collapse(std::uint32_t h, const Vector& place
   const std::uint32_t kept = this->Mesh.GetTarget(removed);
   this->Mesh.Collapse(removed);
   this->Mesh.Places[kept].At = place;
-  this->EndCollapse(kept);
+  this->UpdateStates(kept);
+  if (this->Foreseen.Edge == h && this->Foreseen.Place == place)
+  {
+    for (const ForeseenNormal& foreseen : this->Foreseen.Normals)
+    {
+      this->Normals[foreseen.Face].At = foreseen.Normal;
+    }
+    this->Foreseen.Edge = None;
+    return kept;
+  }
+  this->UpdateNormals(kept);
   return kept;
 }
 
@@ -109,8 +136,13 @@ void vtkMTCollapseRegion::BeginCollapse(std::uint32_t h, const Vector& place)
 
 void vtkMTCollapseRegion::EndCollapse(std::uint32_t kept)
 {
-  this->States[kept] = this->Surviving;
+  this->UpdateStates(kept);
   this->UpdateNormals(kept);
+}
+
+void vtkMTCollapseRegion::UpdateStates(std::uint32_t kept)
+{
+  this->States[kept] = this->Surviving;
   if (this->Seams)
   {
     this->RestoreCorners();

@@ -89,6 +89,9 @@ public:
   /// Of a triangle; as long as twice its area.
   const Vector& GetNormal(std::uint32_t face) const { return this->Normals[face].At; }
 
+  /// Of the vertices as they are in the floor.
+  const vtkMTBox& GetBox() const { return this->Box; }
+
   const VertexState& GetState(std::uint32_t v) const { return this->States[v]; }
 
   bool IsSeamEdge(std::uint32_t h) const;
@@ -184,6 +187,7 @@ private:
     Vector ToLastB{ 0.0, 0.0, 0.0 }; // from the place
   };
 
+  void FindBox(const vtkMTFanMesh& fans);
   void PlaceVertices(const vtkMTFanMesh& fans);
   void FillStates(const vtkMTFanMesh& fans);
   unsigned char ComputeRank(std::uint32_t v) const;
@@ -196,6 +200,7 @@ private:
   bool FoldsAtLink(std::uint32_t h, std::uint32_t link, const Vector& normal) const;
   void FillNormals();
   void UpdateNormals(std::uint32_t v);
+  void UpdateStates(std::uint32_t kept);
   void UpdateNormalsOfRing();
   bool IsTetrahedron(std::uint32_t h) const;
   void MarkNeighbours(std::uint32_t v) const;
@@ -219,12 +224,25 @@ private:
   void ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const;
 
   const vtkMTPatch& Floor;
+  vtkMTBox Box;
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 };
   double Scale = 1.0;                                  // lattice steps per unit here, a power of two
   double Magic = 0.0;                                  // adding and subtracting it rounds to the lattice
   std::vector<std::uint32_t> Parents;                  // [the floor's points] what each has been merged into, or itself
   std::unique_ptr<vtkMTCollapseMesh::Place[]> Normals; // [faces]
   std::vector<std::uint32_t> Ring;                     // half-edges of triangles, as many as fill fours
+  // What SpoilsShape has found of an edge that may be collapsed.
+  struct ForeseenNormal
+  {
+    Vector Normal;
+    std::uint32_t Face;
+  };
+  struct
+  {
+    std::uint32_t Edge = None;
+    Vector Place;
+    std::vector<ForeseenNormal> Normals;
+  } mutable Foreseen;
   VertexState Surviving;
   std::vector<SavedCorner> Saved;
   mutable std::vector<std::uint32_t> Marks; // [vertices] the neighbours of a vertex carry the present mark

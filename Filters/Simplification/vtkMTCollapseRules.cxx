@@ -189,6 +189,8 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
 {
   const vtkMTCollapseMesh& m = this->Mesh;
   Run ring;
+  this->Foreseen.Edge = None;
+  this->Foreseen.Normals.clear();
   for (const std::uint32_t start : { h, h ^ 1 })
   {
     const Vector& center = m.GetPlace(m.GetSource(start));
@@ -207,7 +209,8 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
       const Vector toA = isNext ? ring.ToLastB : Subtract(m.GetPlace(a), place);
       const Vector toB = Subtract(m.GetPlace(b), place);
       const Vector normal = Cross(toA, toB);
-      if ((isMoved && this->IsTurned(this->GetNormal(m.GetFace(out)), normal)) ||
+      const std::uint32_t face = m.GetFace(out);
+      if ((isMoved && this->IsTurned(this->GetNormal(face), normal)) ||
         (isNext && AreFolded(ring.LastNormal, normal)) || this->FoldsAtLink(h, link, normal))
       {
         return true;
@@ -222,10 +225,17 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
       ring.LastB = b;
       ring.LastNormal = normal;
       ring.ToLastB = toB;
+      this->Foreseen.Normals.push_back({ normal, face });
     }
   }
-  return ring.LastB != None && ring.LastB == ring.FirstA && ring.LastA != ring.FirstB &&
-    AreFolded(ring.LastNormal, ring.FirstNormal);
+  if (ring.LastB != None && ring.LastB == ring.FirstA && ring.LastA != ring.FirstB &&
+    AreFolded(ring.LastNormal, ring.FirstNormal))
+  {
+    return true;
+  }
+  this->Foreseen.Edge = h;
+  this->Foreseen.Place = place;
+  return false;
 }
 
 bool vtkMTCollapseRegion::IsTurned(const Vector& before, const Vector& after)

@@ -86,7 +86,7 @@ private:
   {
     this->R.Step();
     const vtkMTCollapseRegion::Rule rule = this->R.GetRule(h);
-    if (rule == vtkMTCollapseRegion::Rule::Refused || this->R.MakesHub(h) || !this->R.SatisfiesLink(h))
+    if (rule == vtkMTCollapseRegion::Rule::Refused || this->R.MakesHub(h))
     {
       return;
     }
@@ -95,7 +95,8 @@ private:
     {
       this->Queue.Put(h / 2, now.Cost);
     }
-    else if (!this->R.MakesChord(h, rule) && !this->R.MakesDoubleEdge(h) && !this->R.SpoilsShape(h, now.Place))
+    else if (this->R.SatisfiesLink(h) && !this->R.MakesChord(h, rule) && !this->R.MakesDoubleEdge(h) &&
+      !this->R.SpoilsShape(h, now.Place))
     {
       this->Collapse(h, now.Place);
     }

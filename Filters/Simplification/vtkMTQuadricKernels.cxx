@@ -13,6 +13,7 @@ using Rule = vtkMTCollapseRegion::Rule;
 using Request = vtkMTQuadrics::Request;
 using Four = vtkMTQuadrics::Four;
 using Quadric = vtkMTQuadrics::Quadric;
+using OfVertex = vtkMTQuadrics::OfVertex;
 
 constexpr double Regularisation = 1e-4; // of the trace, towards the midpoint
 constexpr double LengthTerm = 1e-6;     // of the trace times the squared length of the edge
@@ -33,14 +34,13 @@ struct Quadrics
   }
 }
 
-[[gnu::always_inline]] inline void SumOfEnds(
-  const vtkMTCollapseMesh::Halfedge* halfedges, const Request* four, const Quadric* ofVertices, Quadrics& q)
+[[gnu::always_inline]] inline void SumOfEnds(const OfVertex* const (&ends)[2][4], Quadrics& q)
 {
   Wide parts[4][3];
   for (int lane = 0; lane < 4; ++lane)
   {
-    const double* const a = ofVertices[halfedges[four[lane].Halfedge ^ 1].Target].V;
-    const double* const b = ofVertices[halfedges[four[lane].Halfedge].Target].V;
+    const double* const a = ends[0][lane]->Sum.V;
+    const double* const b = ends[1][lane]->Sum.V;
     parts[lane][0] = Load(a) + Load(b);
     parts[lane][1] = Load(a + 4) + Load(b + 4);
     parts[lane][2] = Load(a + 8) + Load(b + 8);
@@ -171,7 +171,7 @@ void MakeFaceQuadrics(
 
 MT_FOR_WIDE_PROCESSORS
 void SumAroundVertices(const vtkMTCollapseMesh& mesh, const std::uint32_t* vertices, std::size_t count,
-  const Quadric* ofFaces, Quadric* ofVertices)
+  const Quadric* ofFaces, OfVertex* ofVertices)
 {
   const vtkMTCollapseMesh::Halfedge* const halfedges = mesh.Halfedges.data();
   for (const std::uint32_t* vertex = vertices; vertex < vertices + count; ++vertex)
@@ -191,34 +191,35 @@ void SumAroundVertices(const vtkMTCollapseMesh& mesh, const std::uint32_t* verti
       }
       h = halfedges[h].Previous ^ 1;
     } while (h != begin);
-    double* const result = ofVertices[*vertex].V;
+    double* const result = ofVertices[*vertex].Sum.V;
     Store(result, sums[0]);
     Store(result + 4, sums[1]);
     Store(result + 8, sums[2]);
+    Store(ofVertices[*vertex].Place, Load(mesh.GetPlace(*vertex).data()));
   }
 }
 
 MT_FOR_WIDE_PROCESSORS
-void Propose(const vtkMTCollapseRegion& region, const Request* requests, std::size_t count, const Quadric* ofVertices,
+void Propose(const vtkMTCollapseRegion& region, const Request* requests, std::size_t count, const OfVertex* ofVertices,
   Four* proposals)
 {
   const vtkMTCollapseMesh::Halfedge* const halfedges = region.Mesh.Halfedges.data();
   const double magic = region.GetMagic();
   for (const Request* four = requests; four < requests + count; four += 4, ++proposals)
   {
-    Quadrics q;
-    SumOfEnds(halfedges, four, ofVertices, q);
-    const double* ends[2][4];
+    const OfVertex* ends[2][4];
     bool isFree = true;
     for (int lane = 0; lane < 4; ++lane)
     {
-      ends[0][lane] = region.Mesh.GetPlace(halfedges[four[lane].Halfedge ^ 1].Target).data();
-      ends[1][lane] = region.Mesh.GetPlace(halfedges[four[lane].Halfedge].Target).data();
+      ends[0][lane] = ofVertices + halfedges[four[lane].Halfedge ^ 1].Target;
+      ends[1][lane] = ofVertices + halfedges[four[lane].Halfedge].Target;
       isFree = isFree && four[lane].ByRule == Rule::Free;
     }
+    Quadrics q;
+    SumOfEnds(ends, q);
     Wide3 first, second;
-    Gather(ends[0][0], ends[0][1], ends[0][2], ends[0][3], first);
-    Gather(ends[1][0], ends[1][1], ends[1][2], ends[1][3], second);
+    Gather(ends[0][0]->Place, ends[0][1]->Place, ends[0][2]->Place, ends[0][3]->Place, first);
+    Gather(ends[1][0]->Place, ends[1][1]->Place, ends[1][2]->Place, ends[1][3]->Place, second);
     const Wide3 middle = { (first.X + second.X) * 0.5, (first.Y + second.Y) * 0.5, (first.Z + second.Z) * 0.5 };
     const Wide trace = q.XX + q.YY + q.ZZ;
     Wide3 place;

@@ -29,7 +29,7 @@ void vtkMTQuadrics::Initialize()
 {
   const vtkMTCollapseMesh& m = this->R.Mesh;
   this->FaceQuadrics.reset(new Quadric[m.Faces.size()]);
-  this->Quadrics.reset(new Quadric[m.Outs.size()]);
+  this->Quadrics.reset(new OfVertex[m.Outs.size()]);
   this->List.clear();
   std::remove_copy(m.Faces.begin(), m.Faces.end(), std::back_inserter(this->List), vtkMTCollapseMesh::None);
   this->MakeFaceQuadrics();
@@ -96,7 +96,7 @@ void vtkMTQuadrics::MakeQuadrics()
     const unsigned char rank = this->R.GetState(v).Rank;
     if (rank == vtkMTCollapseRegion::Border || rank == vtkMTCollapseRegion::Seam)
     {
-      this->AddCurveQuadrics(v, this->Quadrics[v]);
+      this->AddCurveQuadrics(v, this->Quadrics[v].Sum);
     }
   }
 }

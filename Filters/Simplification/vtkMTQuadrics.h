@@ -37,6 +37,12 @@ public:
   {
     double V[12];
   };
+  /// The same of a vertex, and its place: what is asked for at once lies side by side.
+  struct alignas(128) OfVertex
+  {
+    Quadric Sum;
+    double Place[4];
+  };
   struct Proposal
   {
     Vector Place;
@@ -78,7 +84,7 @@ private:
 
   const vtkMTCollapseRegion& R;
   std::unique_ptr<Quadric[]> FaceQuadrics;              // [faces]
-  std::unique_ptr<Quadric[]> Quadrics;                  // [vertices]
+  std::unique_ptr<OfVertex[]> Quadrics;                 // [vertices]
   std::vector<std::uint32_t> List;                      // of what is made next
   std::map<std::uint32_t, std::uint32_t> ChangesOfHubs; // since their quadrics were made
 };
