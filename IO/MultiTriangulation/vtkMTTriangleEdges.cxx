@@ -8,6 +8,7 @@
 vtkMTTriangleEdges::vtkMTTriangleEdges(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
   : First(vertices + 1, 0)
   , Corners(3 * triangles.size())
+  , Ends(3 * triangles.size())
   , Triangles(triangles)
   , IsDone(triangles.size(), 0)
   , Reverse(triangles.size(), Unknown)
@@ -21,12 +22,18 @@ vtkMTTriangleEdges::vtkMTTriangleEdges(const std::vector<vtkMTTriangle>& triangl
   }
   std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
   std::vector<std::size_t> next(this->First.begin(), this->First.end() - 1);
+  const auto put = [&](std::uint32_t t, std::uint32_t c, std::uint32_t from, std::uint32_t to)
+  {
+    const std::size_t at = next[from]++;
+    this->Corners[at] = { t, c };
+    this->Ends[at] = to;
+  };
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
   {
-    for (std::uint32_t c = 0; c < 3; ++c)
-    {
-      this->Corners[next[triangles[t][c]]++] = { t, c };
-    }
+    const vtkMTTriangle& v = triangles[t];
+    put(t, 0, v[0], v[1]);
+    put(t, 1, v[1], v[2]);
+    put(t, 2, v[2], v[0]);
   }
   this->GroupHubs();
 }
@@ -34,10 +41,15 @@ vtkMTTriangleEdges::vtkMTTriangleEdges(const std::vector<vtkMTTriangle>& triangl
 vtkMTTriangleEdges::Corner vtkMTTriangleEdges::FindOfFew(std::uint32_t a, std::uint32_t b)
 {
   Corner found;
-  for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
+  const std::size_t last = this->First[a + std::size_t(1)];
+  for (std::size_t i = this->First[a]; i < last; ++i)
   {
+    if (this->Ends[i] != b)
+    {
+      continue;
+    }
     const Corner& corner = this->Corners[i];
-    if (this->IsDone[corner.Triangle] || this->Get(corner, 1) != b)
+    if (this->IsDone[corner.Triangle])
     {
       continue;
     }

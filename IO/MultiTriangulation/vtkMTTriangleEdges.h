@@ -64,11 +64,13 @@ private:
   bool FindReverse(const Corner& corner) const;
   std::uint32_t Get(const Corner& corner, std::uint32_t offset) const
   {
-    return this->Triangles[corner.Triangle][(corner.Index + offset) % 3];
+    const std::uint32_t index = corner.Index + offset;
+    return this->Triangles[corner.Triangle][index < 3 ? index : index - 3];
   }
 
   std::vector<std::size_t> First;
   std::vector<Corner> Corners;
+  std::vector<std::uint32_t> Ends; // where the edges of the corners end, for vertices that are no hubs
   const std::vector<vtkMTTriangle>& Triangles;
   std::vector<unsigned char> IsDone;
   std::vector<ReverseType> Reverse;

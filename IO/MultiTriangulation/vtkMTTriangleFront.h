@@ -105,6 +105,30 @@ T* EnsureSize(std::vector<T>& values, std::size_t size)
   return values.data();
 }
 
+// The border from its gates, of which there are `count`: from each to the latest one that starts where it ends, as far
+// as none was passed before.
+inline void FollowBorder(std::uint32_t count, Decoded& mesh)
+{
+  BorderGate* const gates = mesh.Work.BorderGates.data();
+  // Only what is written here counts: a gate that is not the right one does not start at the vertex.
+  std::uint32_t* const gateFrom = EnsureSize(mesh.Work.BorderFrom, mesh.NumberOfVertices);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    gateFrom[gates[i].From] = i;
+  }
+  mesh.Border.clear();
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    std::uint32_t from = gates[i].From;
+    for (std::uint32_t gate = i; from != None && gate < count && gates[gate].From == from; gate = gateFrom[from])
+    {
+      mesh.Border.push_back(from);
+      gates[gate].From = None;
+      from = gates[gate].To;
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 // The gates that wait on one side of the present one, the nearest last.
 struct Side
