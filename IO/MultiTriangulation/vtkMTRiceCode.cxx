@@ -4,26 +4,28 @@
 #include "vtkMTBitWriter.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
-// How many bits the codes take.
+// How many bits the codes of a block take above those that each of them takes. With parameters that are not far below
+// the logarithm of the mean code, which others are not asked for, they can be counted in 32 bits.
 std::uint64_t GetBits(const std::uint32_t* codes, std::size_t count, unsigned k)
 {
-  std::uint64_t bits = (std::uint64_t(k) + 1) * count;
+  std::uint32_t bits = 0;
   for (std::size_t i = 0; k < 32 && i < count; ++i)
   {
     bits += codes[i] >> k;
   }
-  return bits;
+  return bits + std::uint64_t(k) * count;
 }
 
 // With which the codes take the fewest bits, the least one of these. What a step of the parameter saves falls with the
 // parameter, so from any of them, here from the mean code's logarithm, it is downhill to there.
 unsigned ChooseParameter(const std::uint32_t* codes, std::size_t count, unsigned mostBits)
 {
-  const std::uint64_t mean = GetBits(codes, count, 0) / count;
-  unsigned best = std::min(mostBits, 63u - static_cast<unsigned>(__builtin_clzll(mean)));
+  const std::uint64_t mean = std::accumulate(codes, codes + count, std::uint64_t(0)) / count;
+  unsigned best = std::min(mostBits, 63u - static_cast<unsigned>(__builtin_clzll(mean | 1)));
   std::uint64_t fewest = GetBits(codes, count, best);
   const unsigned first = best;
   while (best > 0)

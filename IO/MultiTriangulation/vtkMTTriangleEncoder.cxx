@@ -13,11 +13,11 @@ using namespace vtkMTTriangleCodec;
 // How the third vertex is found when it was met before.
 Step FindStep(const Front& front, std::uint32_t vertex)
 {
-  if (front.IsAheadOpen() && front.Walk(1) == vertex)
+  if (front.IsAheadOpen() && front.GetAhead() == vertex)
   {
     return Ahead;
   }
-  if (front.IsBehindOpen() && front.Walk(2) == vertex)
+  if (front.IsBehindOpen() && front.GetBehind() == vertex)
   {
     return Behind;
   }
@@ -65,10 +65,18 @@ unsigned ChooseNameParameter(const std::vector<Name>& names, bool ofWalks)
     }
     return bits;
   };
+  // They fall and then rise with the parameter.
   unsigned best = 0;
+  std::uint64_t fewest = count(0);
   for (unsigned parameter = 1; parameter <= MostNameBits; ++parameter)
   {
-    best = count(parameter) < count(best) ? parameter : best;
+    const std::uint64_t bits = count(parameter);
+    if (bits >= fewest)
+    {
+      break;
+    }
+    best = parameter;
+    fewest = bits;
   }
   return best;
 }

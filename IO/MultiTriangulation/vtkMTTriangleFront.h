@@ -198,8 +198,9 @@ public:
     return this->Past + (this->AheadSide.Last->State & AheadIsClosed) + (this->BehindSide.Last->State & BehindIsClosed);
   }
 
-  // The far end of the gate ahead; None when there is no gate.
+  // The far end of the gate ahead or behind; None when there is no gate.
   std::uint32_t GetAhead() const { return this->AheadSide.Last->Vertex; }
+  std::uint32_t GetBehind() const { return this->BehindSide.Last->Vertex; }
   // The far end of a gate: 1, 3, 5 ... of the first, the second, the third one ahead, 2, 4, 6 ... of those behind. None
   // when there is no such gate.
   std::uint32_t Walk(std::uint32_t walk) const
