@@ -86,7 +86,7 @@ void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans)
     if (fans.Opposite[c] == vtkMTFanMesh::None)
     {
       VertexState& state = this->States[fans.Vertex[c]];
-      state.Rank = state.Rank == Plain ? Border : state.Rank;
+      state.Rank = std::max<unsigned char>(state.Rank, Border);
     }
   }
   for (std::uint32_t v = 0; this->Seams && v < this->States.size(); ++v)
