@@ -76,7 +76,7 @@ void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans)
   for (std::uint32_t v = 0; v < this->States.size(); ++v)
   {
     this->States[v].Point = fans.Point[v];
-    this->States[v].Wedge = fans.Wedge[fans.Corner[v]];
+    this->States[v].Wedge = fans.WedgeOf[v];
     this->States[v].Lock = fans.Lock[v];
     this->States[v].Rank = fans.Lock[v] ? Kept : Plain;
     this->Split = this->Split || (fans.Lock[v] & vtkMTFanMesh::NonManifold);

@@ -34,7 +34,8 @@ bool vtkMTFanMesh::Build(const vtkMTPatch& floor, const std::vector<unsigned cha
   // Until the fans are known, Vertex holds points.
   this->Opposite = vtkMTHalfedgePairs::Find(this->Vertex);
   this->SplitIntoFans(floor.Points.size(), locked);
-  if (!HasOneWedgePerPoint(floor))
+  this->TakeWedges(floor);
+  if (!this->Wedge.empty())
   {
     this->FindSeams();
   }
@@ -59,9 +60,10 @@ bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
     return false;
   }
   this->Vertex.resize(3 * triangles);
-  this->Wedge.resize(3 * triangles);
+  this->Wedge.resize(HasOneWedgePerPoint(floor) ? 0 : 3 * triangles);
   std::uint32_t* vertex = this->Vertex.data();
   std::uint32_t* wedge = this->Wedge.data();
+  const bool hasWedges = wedge != nullptr;
   for (std::size_t t = 0; t < triangles; ++t)
   {
     const vtkMTTriangle w = floor.Triangles[t];
@@ -71,17 +73,17 @@ bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
       return false;
     }
     const vtkMTTriangle p = pointOf ? vtkMTTriangle{ pointOf[w[0]], pointOf[w[1]], pointOf[w[2]] } : w;
-    for (int i = 0; i < 3; ++i)
-    {
-      vertex[i] = p[i];
-      wedge[i] = w[i];
-    }
+    std::copy(p.begin(), p.end(), vertex);
     const std::ptrdiff_t taken = p[0] != p[1] && p[1] != p[2] && p[2] != p[0] ? 3 : 0;
     vertex += taken;
-    wedge += taken;
+    if (hasWedges)
+    {
+      std::copy(w.begin(), w.end(), wedge);
+      wedge += taken;
+    }
   }
   this->Vertex.resize(static_cast<std::size_t>(vertex - this->Vertex.data()));
-  this->Wedge.resize(this->Vertex.size());
+  this->Wedge.resize(hasWedges ? this->Vertex.size() : 0);
   return true;
 }
 
@@ -107,7 +109,6 @@ void vtkMTFanMesh::SplitIntoFans(std::size_t points, const std::vector<unsigned 
   std::vector<std::uint32_t> vertexOfCorner(corners, None);
   std::vector<std::uint32_t> vertexOfPoint(points, None); // its first fan
   this->Point.clear();
-  this->Corner.clear();
   this->Lock.clear();
   bool split = false;
   for (std::uint32_t c = 0; c < corners; ++c)
@@ -119,7 +120,6 @@ void vtkMTFanMesh::SplitIntoFans(std::size_t points, const std::vector<unsigned 
     const std::uint32_t point = this->Vertex[c];
     const auto vertex = static_cast<std::uint32_t>(this->Point.size());
     this->Point.push_back(point);
-    this->Corner.push_back(c);
     this->Lock.push_back(locked[point] ? Outside : Free);
     if (vertexOfPoint[point] == None)
     {
@@ -182,6 +182,26 @@ void vtkMTFanMesh::PairAgain()
       equal.push_back(open[i].second);
     }
     this->PairEqual(equal);
+  }
+}
+
+// Of the vertices.
+void vtkMTFanMesh::TakeWedges(const vtkMTPatch& floor)
+{
+  this->WedgeOf.resize(this->Point.size());
+  for (std::size_t c = 0; c < this->Wedge.size(); ++c)
+  {
+    this->WedgeOf[this->Vertex[c]] = this->Wedge[c];
+  }
+  if (this->Wedge.empty())
+  {
+    std::vector<std::uint32_t> ofPoints(floor.WedgePoints.empty() ? 0 : floor.Points.size());
+    for (std::uint32_t w = 0; w < floor.WedgePoints.size(); ++w)
+    {
+      ofPoints[floor.WedgePoints[w]] = w;
+    }
+    std::transform(this->Point.begin(), this->Point.end(), this->WedgeOf.begin(),
+      [&](std::uint32_t point) { return ofPoints.empty() ? point : ofPoints[point]; });
   }
 }
 
