@@ -15,6 +15,7 @@ set(mt_single_sources
   MTConstruction:Filters/Construction/vtkMTInputMesh.cxx
   MTConstruction:Filters/Construction/vtkMTPointNormals.cxx
   MTConstruction:Filters/Construction/vtkMTSharedIds.cxx
+  MTCore:Module/vtkMTHalfedgePairs.cxx
   MTCore:Module/vtkMTPolyDataStream.cxx
   MTIO:IO/MultiTriangulation/vtkMTNormalCodec.cxx
   MTIO:IO/MultiTriangulation/vtkMTPositionCodec.cxx
@@ -86,6 +87,7 @@ set(mt_single_tests
   RenderingCore/TestPatchLoader.cxx
   RenderingCore/TestTargetCutView.cxx
   Simplification/TestModes.cxx
+  Simplification/TestQuadrics.cxx
   Simplification/TestRegions.cxx
   Verification/TestVerifyVolumeInput.cxx)
 

@@ -2,9 +2,24 @@
 #include "vtkMTHalfedgePairs.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace
 {
+constexpr std::uint32_t None = vtkMTHalfedgePairs::None;
+
+// An edge in the list of those of its lower point.
+struct Edge
+{
+  std::uint32_t High;     // its other point
+  std::uint32_t Halfedge; // the first one that runs along it
+  std::uint32_t Count;    // of these
+  std::uint32_t Next;     // in the list
+};
+
+// In lists that are longer, as at hubs, no edge is looked for.
+constexpr int MostEdges = 32;
+
 // A half-edge in the bucket of its lower point.
 struct Entry
 {
@@ -40,6 +55,73 @@ void Pair(const std::vector<std::uint32_t>& corners, std::uint32_t g, std::uint3
     opposites[h] = g;
   }
 }
+
+// Pairs half-edges as they come. False where some list has become too long.
+class Lists
+{
+public:
+  Lists(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* opposites)
+    : Corners(corners)
+    , Opposites(opposites)
+    , Heads(points, None)
+    , Edges(new Edge[corners.size()])
+  {
+  }
+
+  bool PairAll()
+  {
+    bool isDone = true;
+    for (std::uint32_t h = 0; isDone && h + 2 < this->Corners.size(); h += 3)
+    {
+      const std::uint32_t a = this->Corners[h];
+      const std::uint32_t b = this->Corners[h + 1];
+      const std::uint32_t c = this->Corners[h + 2];
+      isDone = this->Put(h, std::min(a, b), std::max(a, b)) && this->Put(h + 1, std::min(b, c), std::max(b, c)) &&
+        this->Put(h + 2, std::min(c, a), std::max(c, a));
+    }
+    return isDone;
+  }
+
+private:
+  bool Put(std::uint32_t h, std::uint32_t low, std::uint32_t high)
+  {
+    int looks = 0;
+    for (std::uint32_t e = this->Heads[low]; e != None; e = this->Edges[e].Next)
+    {
+      if (this->Edges[e].High == high)
+      {
+        this->Join(this->Edges[e], h);
+        return true;
+      }
+      if (++looks > MostEdges)
+      {
+        return false;
+      }
+    }
+    this->Edges[this->Used] = { high, h, 1, this->Heads[low] };
+    this->Heads[low] = this->Used++;
+    return true;
+  }
+
+  void Join(Edge& edge, std::uint32_t h)
+  {
+    if (++edge.Count == 2)
+    {
+      Pair(this->Corners, edge.Halfedge, h, this->Opposites);
+    }
+    else if (this->Opposites[edge.Halfedge] != None)
+    {
+      this->Opposites[this->Opposites[edge.Halfedge]] = None;
+      this->Opposites[edge.Halfedge] = None;
+    }
+  }
+
+  const std::vector<std::uint32_t>& Corners;
+  std::uint32_t* Opposites;
+  std::vector<std::uint32_t> Heads; // [points] the edge that came last
+  std::unique_ptr<Edge[]> Edges;
+  std::uint32_t Used = 0;
+};
 
 // What a bucket of few holds: each entry is compared with all behind it, and taken out with those that are like it.
 void PairFew(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
@@ -80,17 +162,11 @@ void PairMany(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* en
     begin += last - begin;
   }
 }
-}
 
-//------------------------------------------------------------------------------
-std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
+// The same for any mesh.
+void PairInBuckets(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* opposites)
 {
-  std::vector<std::uint32_t> opposites(corners.size(), None);
-  if (corners.empty())
-  {
-    return opposites;
-  }
-  std::vector<std::uint32_t> next(*std::max_element(corners.begin(), corners.end()) + std::size_t(2), 0);
+  std::vector<std::uint32_t> next(points + 1, 0);
   ForAll(corners, [&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++next[low + 1]; });
   for (std::size_t p = 1; p < next.size(); ++p)
   {
@@ -103,9 +179,26 @@ std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint3
   {
     Entry* const first = entries.data() + begin;
     Entry* const last = entries.data() + next[p];
-    last - first > Few ? PairMany(corners, first, last, opposites.data())
-                       : PairFew(corners, first, last, opposites.data());
+    last - first > Few ? PairMany(corners, first, last, opposites) : PairFew(corners, first, last, opposites);
     begin = next[p];
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
+{
+  std::vector<std::uint32_t> opposites(corners.size(), None);
+  std::uint32_t highest = 0;
+  for (const std::uint32_t point : corners)
+  {
+    highest = std::max(highest, point);
+  }
+  const std::size_t points = corners.empty() ? 0 : highest + std::size_t(1);
+  if (!Lists(corners, points, opposites.data()).PairAll())
+  {
+    std::fill(opposites.begin(), opposites.end(), None);
+    PairInBuckets(corners, points, opposites.data());
   }
   return opposites;
 }

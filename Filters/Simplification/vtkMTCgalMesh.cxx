@@ -29,7 +29,7 @@ vtkMTCgalMesh::vtkMTCgalMesh(vtkMTCollapseMesh& mesh)
   }
   for (std::uint32_t v = 0; v < mesh.Outs.size(); ++v)
   {
-    this->Mesh.point(Vertex(v)) = ToPoint(mesh.Places[v]);
+    this->Mesh.point(Vertex(v)) = ToPoint(mesh.GetPlace(v));
     if (mesh.Outs[v] == None)
     {
       this->Mesh.remove_vertex(Vertex(v));
@@ -97,7 +97,7 @@ void vtkMTCgalMesh::EndCollapse(Vertex kept)
       this->Copy.Outs[v.idx()] = None;
     }
   }
-  this->Copy.Places[kept.idx()] = ToVector(this->Mesh.point(kept));
+  this->Copy.Places[kept.idx()].At = ToVector(this->Mesh.point(kept));
 }
 
 void vtkMTCgalMesh::CopyHalfedge(Halfedge h)

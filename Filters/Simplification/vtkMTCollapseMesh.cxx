@@ -3,10 +3,13 @@
 
 #include "vtkMTFanMesh.h"
 
+#include <memory>
+
 vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
 {
   const auto corners = static_cast<std::uint32_t>(fans.Vertex.size());
-  std::vector<std::uint32_t> halfedges(corners); // that of each edge of a triangle
+  const std::unique_ptr<std::uint32_t[]> halfedges(new std::uint32_t[corners]); // that of each edge of a triangle
+  std::vector<std::uint32_t> borders; // the corners behind whose edges nothing is
   std::uint32_t count = 0;
   for (std::uint32_t c = 0; c < corners; ++c)
   {
@@ -18,6 +21,10 @@ vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
       {
         halfedges[opposite] = count + 1;
       }
+      else
+      {
+        borders.push_back(c);
+      }
       count += 2;
     }
   }
@@ -27,40 +34,41 @@ vtkMTCollapseMesh::vtkMTCollapseMesh(const vtkMTFanMesh& fans)
   this->Outs.resize(fans.GetNumberOfVertices());
   this->Places.resize(fans.GetNumberOfVertices());
   this->Valences.assign(fans.GetNumberOfVertices(), 0);
-  for (std::uint32_t c = 0; c < corners; ++c)
+  for (std::uint32_t c = 0; c < corners; c += 3)
   {
-    const std::uint32_t next = vtkMTFanMesh::Next(c);
-    this->Halfedges[halfedges[c]] = { fans.Vertex[next], halfedges[next], halfedges[vtkMTFanMesh::Previous(c)], c / 3 };
-    this->Outs[fans.Vertex[c]] = halfedges[c];
-    this->Faces[c / 3] = halfedges[c];
-    if (fans.Seams)
+    const std::uint32_t* const h = halfedges.get() + c;
+    const std::uint32_t* const v = fans.Vertex.data() + c;
+    this->Halfedges[h[0]] = { v[1], h[1], h[2], c / 3 };
+    this->Halfedges[h[1]] = { v[2], h[2], h[0], c / 3 };
+    this->Halfedges[h[2]] = { v[0], h[0], h[1], c / 3 };
+    this->Faces[c / 3] = h[2];
+    for (int i = 0; i < 3; ++i)
     {
-      this->Wedges[halfedges[c]] = fans.Wedge[next];
+      this->Outs[v[i]] = h[i];
+      ++this->Valences[v[i]];
     }
   }
-  this->LinkBorders(fans, halfedges);
-  for (const Halfedge& h : this->Halfedges)
+  for (std::uint32_t c = 0; fans.Seams && c < corners; ++c)
   {
-    ++this->Valences[h.Target];
+    this->Wedges[halfedges[c]] = fans.Wedge[vtkMTFanMesh::Next(c)];
   }
+  this->LinkBorders(fans, halfedges.get(), borders);
 }
 
 // A vertex is one fan, so at most one border half-edge runs into it and one out of it.
-void vtkMTCollapseMesh::LinkBorders(const vtkMTFanMesh& fans, const std::vector<std::uint32_t>& halfedges)
+void vtkMTCollapseMesh::LinkBorders(
+  const vtkMTFanMesh& fans, const std::uint32_t* halfedges, const std::vector<std::uint32_t>& borders)
 {
-  std::vector<std::uint32_t> borders;
-  for (std::uint32_t c = 0; c < halfedges.size(); ++c)
+  for (const std::uint32_t c : borders)
   {
-    if (fans.Opposite[c] == vtkMTFanMesh::None)
-    {
-      const std::uint32_t h = halfedges[c] ^ 1;
-      this->Halfedges[h].Target = fans.Vertex[c];
-      this->Outs[fans.Vertex[vtkMTFanMesh::Next(c)]] = h;
-      borders.push_back(h);
-    }
+    const std::uint32_t h = halfedges[c] ^ 1;
+    this->Halfedges[h].Target = fans.Vertex[c];
+    this->Outs[fans.Vertex[vtkMTFanMesh::Next(c)]] = h;
+    ++this->Valences[fans.Vertex[c]];
   }
-  for (const std::uint32_t h : borders)
+  for (const std::uint32_t c : borders)
   {
+    const std::uint32_t h = halfedges[c] ^ 1;
     this->Link(h, this->Outs[this->GetTarget(h)]);
   }
 }

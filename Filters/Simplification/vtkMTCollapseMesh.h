@@ -35,11 +35,18 @@ public:
     std::uint32_t Face = None;
   };
 
+  /// Where a vertex lies, and so much that a register of four numbers is loaded at once.
+  struct alignas(32) Place
+  {
+    Vector At;
+    double Unused;
+  };
+
   std::vector<Halfedge> Halfedges;     ///< [2 edges]
   std::vector<std::uint32_t> Wedges;   ///< [2 edges] empty without seams
   std::vector<std::uint32_t> Faces;    ///< [faces] a half-edge of each
   std::vector<std::uint32_t> Outs;     ///< [vertices] a half-edge that starts from each
-  std::vector<Vector> Places;          ///< [vertices]
+  std::vector<Place> Places;           ///< [vertices]
   std::vector<std::uint32_t> Valences; ///< [vertices] numbers of edges
 
   /// Takes over the fans; Places are left for the caller to fill.
@@ -66,7 +73,7 @@ public:
   }
   /// The next half-edge out of the same vertex, counter-clockwise.
   std::uint32_t GetNextOut(std::uint32_t h) const { return this->Halfedges[h].Previous ^ 1; }
-  const Vector& GetPlace(std::uint32_t vertex) const { return this->Places[vertex]; }
+  const Vector& GetPlace(std::uint32_t vertex) const { return this->Places[vertex].At; }
 
   void Link(std::uint32_t h, std::uint32_t next)
   {
@@ -88,7 +95,7 @@ public:
 
 private:
   void RemoveSide(std::uint32_t side, std::uint32_t dying, std::uint32_t heir);
-  void LinkBorders(const vtkMTFanMesh& fans, const std::vector<std::uint32_t>& halfedges);
+  void LinkBorders(const vtkMTFanMesh& fans, const std::uint32_t* halfedges, const std::vector<std::uint32_t>& borders);
 };
 
 #endif

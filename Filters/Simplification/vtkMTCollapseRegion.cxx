@@ -19,16 +19,34 @@ vtkMTCollapseRegion::vtkMTCollapseRegion(const vtkMTPatch& floor, const vtkMTFan
   std::iota(this->Parents.begin(), this->Parents.end(), 0u);
   this->PlaceVertices(fans);
   this->FillStates(fans);
+  this->FillNormals();
+}
+
+void vtkMTCollapseRegion::FindBox(const vtkMTFanMesh& fans)
+{
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+  vtkMTPoint low{ most, most, most };
+  vtkMTPoint high{ least, least, least };
+  for (const std::uint32_t point : fans.Point)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      low[i] = std::min(low[i], this->Floor.Points[point][i]);
+      high[i] = std::max(high[i], this->Floor.Points[point][i]);
+    }
+  }
+  this->Box = { low[0], high[0], low[1], high[1], low[2], high[2] };
 }
 
 void vtkMTCollapseRegion::PlaceVertices(const vtkMTFanMesh& fans)
 {
-  const vtkMTBox box = this->Floor.GetBox();
+  this->FindBox(fans);
   double half = 1.0;
   for (int i = 0; i < 3; ++i)
   {
-    const std::int64_t low = box[2 * i];
-    const std::int64_t high = box[2 * i + 1];
+    const std::int64_t low = this->Box[2 * i];
+    const std::int64_t high = this->Box[2 * i + 1];
     if (low > high)
     {
       continue;
@@ -47,7 +65,7 @@ void vtkMTCollapseRegion::PlaceVertices(const vtkMTFanMesh& fans)
     const vtkMTPoint& k = this->Floor.Points[fans.Point[v]];
     for (int i = 0; i < 3; ++i)
     {
-      this->Mesh.Places[v][i] = static_cast<double>(k[i] - this->Origin[i]) * inverse;
+      this->Mesh.Places[v].At[i] = static_cast<double>(k[i] - this->Origin[i]) * inverse;
     }
   }
 }
@@ -58,17 +76,17 @@ void vtkMTCollapseRegion::FillStates(const vtkMTFanMesh& fans)
   for (std::uint32_t v = 0; v < this->States.size(); ++v)
   {
     this->States[v].Point = fans.Point[v];
+    this->States[v].Wedge = fans.WedgeOf[v];
     this->States[v].Lock = fans.Lock[v];
     this->States[v].Rank = fans.Lock[v] ? Kept : Plain;
     this->Split = this->Split || (fans.Lock[v] & vtkMTFanMesh::NonManifold);
   }
   for (std::uint32_t c = 0; c < fans.Vertex.size(); ++c)
   {
-    VertexState& state = this->States[fans.Vertex[c]];
-    state.Wedge = fans.Wedge[c];
-    if (fans.Opposite[c] == vtkMTFanMesh::None && state.Rank == Plain)
+    if (fans.Opposite[c] == vtkMTFanMesh::None)
     {
-      state.Rank = Border;
+      VertexState& state = this->States[fans.Vertex[c]];
+      state.Rank = std::max<unsigned char>(state.Rank, Border);
     }
   }
   for (std::uint32_t v = 0; this->Seams && v < this->States.size(); ++v)
@@ -96,8 +114,18 @@ std::uint32_t vtkMTCollapseRegion::Collapse(std::uint32_t h, const Vector& place
   const std::uint32_t removed = this->NoteCollapse(h, place);
   const std::uint32_t kept = this->Mesh.GetTarget(removed);
   this->Mesh.Collapse(removed);
-  this->Mesh.Places[kept] = place;
-  this->EndCollapse(kept);
+  this->Mesh.Places[kept].At = place;
+  this->UpdateStates(kept);
+  if (this->Foreseen.Edge == h && this->Foreseen.Place == place)
+  {
+    for (const ForeseenNormal& foreseen : this->Foreseen.Normals)
+    {
+      this->Normals[foreseen.Face].At = foreseen.Normal;
+    }
+    this->Foreseen.Edge = None;
+    return kept;
+  }
+  this->UpdateNormals(kept);
   return kept;
 }
 
@@ -107,6 +135,12 @@ void vtkMTCollapseRegion::BeginCollapse(std::uint32_t h, const Vector& place)
 }
 
 void vtkMTCollapseRegion::EndCollapse(std::uint32_t kept)
+{
+  this->UpdateStates(kept);
+  this->UpdateNormals(kept);
+}
+
+void vtkMTCollapseRegion::UpdateStates(std::uint32_t kept)
 {
   this->States[kept] = this->Surviving;
   if (this->Seams)
@@ -193,43 +227,58 @@ vtkMTPoint vtkMTCollapseRegion::ToLattice(const Vector& p) const
 
 void vtkMTCollapseRegion::Extract(vtkMTSimplification& result) const
 {
-  constexpr std::uint32_t none = vtkMTFanMesh::None;
-  std::vector<std::uint32_t> pointMap(this->Floor.Points.size(), none);
-  std::vector<std::uint32_t> wedgeMap(this->Floor.GetNumberOfWedges(), none);
+  Extraction numbers{ std::vector<std::uint32_t>(this->Floor.Points.size(), None),
+    std::vector<std::uint32_t>(this->Floor.GetNumberOfWedges(), None) };
+  std::vector<std::uint32_t> ofVertices(this->Seams ? 0 : this->States.size(), None); // their wedges in the result
   result.Triangles.reserve(this->Faces);
-  for (std::uint32_t f = 0; f < this->Mesh.Faces.size(); ++f)
+  for (std::uint32_t h : this->Mesh.Faces)
   {
-    if (!this->Mesh.IsFace(f))
+    if (h == None)
     {
       continue;
     }
     vtkMTTriangle triangle;
-    std::uint32_t h = this->Mesh.Faces[f];
     for (std::uint32_t& corner : triangle)
     {
       const std::uint32_t v = this->Mesh.GetTarget(h);
-      const VertexState& state = this->GetState(v);
-      const std::uint32_t wedge = this->Seams ? this->Mesh.Wedges[h] : state.Wedge;
-      if (pointMap[state.Point] == none)
+      if (this->Seams)
       {
-        pointMap[state.Point] = static_cast<std::uint32_t>(result.Points.size());
-        const vtkMTPoint& before = this->Floor.Points[state.Point];
-        result.Points.push_back(state.Lock ? before : this->ToLattice(this->Mesh.GetPlace(v)));
-        result.PointOrigin.push_back(state.Point);
-        result.Moved.push_back(result.Points.back() != before ? 1 : 0);
+        corner = this->ExtractWedge(v, this->Mesh.Wedges[h], numbers, result);
       }
-      if (wedgeMap[wedge] == none)
+      else
       {
-        wedgeMap[wedge] = static_cast<std::uint32_t>(result.WedgePoints.size());
-        result.WedgePoints.push_back(pointMap[state.Point]);
-        result.WedgeOrigin.push_back(wedge);
+        std::uint32_t& ofVertex = ofVertices[v];
+        ofVertex = ofVertex == None ? this->ExtractWedge(v, this->GetState(v).Wedge, numbers, result) : ofVertex;
+        corner = ofVertex;
       }
-      corner = wedgeMap[wedge];
       h = this->Mesh.GetNext(h);
     }
     result.Triangles.push_back(triangle);
   }
-  this->ExtractHeirs(pointMap, result);
+  this->ExtractHeirs(numbers.OfPoints, result);
+}
+
+// The result's number of a wedge of the vertex.
+std::uint32_t vtkMTCollapseRegion::ExtractWedge(
+  std::uint32_t v, std::uint32_t wedge, Extraction& numbers, vtkMTSimplification& result) const
+{
+  const VertexState& state = this->GetState(v);
+  std::uint32_t& point = numbers.OfPoints[state.Point];
+  if (point == None)
+  {
+    point = static_cast<std::uint32_t>(result.Points.size());
+    const vtkMTPoint& before = this->Floor.Points[state.Point];
+    result.Points.push_back(state.Lock ? before : this->ToLattice(this->Mesh.GetPlace(v)));
+    result.PointOrigin.push_back(state.Point);
+    result.Moved.push_back(result.Points.back() != before ? 1 : 0);
+  }
+  if (numbers.OfWedges[wedge] == None)
+  {
+    numbers.OfWedges[wedge] = static_cast<std::uint32_t>(result.WedgePoints.size());
+    result.WedgePoints.push_back(point);
+    result.WedgeOrigin.push_back(wedge);
+  }
+  return numbers.OfWedges[wedge];
 }
 
 void vtkMTCollapseRegion::ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const

@@ -28,6 +28,7 @@
 #include <cstdint>
 #include <exception>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,12 @@ public:
   std::uint64_t Steps = 0;
   std::uint64_t StepLimit = ~std::uint64_t(0);
 
+  /// Of a triangle; as long as twice its area.
+  const Vector& GetNormal(std::uint32_t face) const { return this->Normals[face].At; }
+
+  /// Of the vertices as they are in the floor.
+  const vtkMTBox& GetBox() const { return this->Box; }
+
   const VertexState& GetState(std::uint32_t v) const { return this->States[v]; }
 
   bool IsSeamEdge(std::uint32_t h) const;
@@ -117,12 +124,15 @@ public:
     return (r0 | r1) == Plain ? Rule::Free : this->GetRuleOfRanks(h, r0, r1);
   }
 
-  /// The nearest lattice point's place.
+  ///@{
+  /// The nearest lattice point's place: a number is added, and subtracted again.
+  double GetMagic() const { return this->Magic; }
   Vector Snap(const Vector& p) const
   {
     const double m = this->Magic;
     return { (p[0] + m) - m, (p[1] + m) - m, (p[2] + m) - m };
   }
+  ///@}
 
   /// Whether the mesh stays a manifold without twin triangles: the link condition, with care at borders and for closed
   /// parts.
@@ -166,7 +176,7 @@ private:
     std::uint32_t Target;
   };
   // The triangles around a vertex, those of a run that were seen first and last.
-  struct Ring
+  struct Run
   {
     std::uint32_t FirstA = None;
     std::uint32_t FirstB = None;
@@ -174,8 +184,10 @@ private:
     std::uint32_t LastB = None;
     Vector FirstNormal{ 0.0, 0.0, 0.0 };
     Vector LastNormal{ 0.0, 0.0, 0.0 };
+    Vector ToLastB{ 0.0, 0.0, 0.0 }; // from the place
   };
 
+  void FindBox(const vtkMTFanMesh& fans);
   void PlaceVertices(const vtkMTFanMesh& fans);
   void FillStates(const vtkMTFanMesh& fans);
   unsigned char ComputeRank(std::uint32_t v) const;
@@ -186,6 +198,10 @@ private:
   bool IsNextToOtherFan(std::uint32_t v, std::uint32_t fan) const;
   static bool IsTurned(const Vector& before, const Vector& after);
   bool FoldsAtLink(std::uint32_t h, std::uint32_t link, const Vector& normal) const;
+  void FillNormals();
+  void UpdateNormals(std::uint32_t v);
+  void UpdateStates(std::uint32_t kept);
+  void UpdateNormalsOfRing();
   bool IsTetrahedron(std::uint32_t h) const;
   void MarkNeighbours(std::uint32_t v) const;
   bool IsClosableHole(std::uint32_t h, double maximumDiagonal) const;
@@ -197,13 +213,36 @@ private:
   void SaveCorner(std::uint32_t out, std::uint32_t apex);
   void RestoreCorners();
   vtkMTPoint ToLattice(const Vector& p) const;
+  // The result's numbers of what the floor has, or None.
+  struct Extraction
+  {
+    std::vector<std::uint32_t> OfPoints;
+    std::vector<std::uint32_t> OfWedges;
+  };
+  std::uint32_t ExtractWedge(
+    std::uint32_t v, std::uint32_t wedge, Extraction& numbers, vtkMTSimplification& result) const;
   void ExtractHeirs(const std::vector<std::uint32_t>& pointMap, vtkMTSimplification& result) const;
 
   const vtkMTPatch& Floor;
+  vtkMTBox Box;
   std::array<std::int64_t, 3> Origin{ 0, 0, 0 };
-  double Scale = 1.0;                 // lattice steps per unit here, a power of two
-  double Magic = 0.0;                 // adding and subtracting it rounds to the lattice
-  std::vector<std::uint32_t> Parents; // [the floor's points] what each has been merged into, or itself
+  double Scale = 1.0;                                  // lattice steps per unit here, a power of two
+  double Magic = 0.0;                                  // adding and subtracting it rounds to the lattice
+  std::vector<std::uint32_t> Parents;                  // [the floor's points] what each has been merged into, or itself
+  std::unique_ptr<vtkMTCollapseMesh::Place[]> Normals; // [faces]
+  std::vector<std::uint32_t> Ring;                     // half-edges of triangles, as many as fill fours
+  // What SpoilsShape has found of an edge that may be collapsed.
+  struct ForeseenNormal
+  {
+    Vector Normal;
+    std::uint32_t Face;
+  };
+  struct
+  {
+    std::uint32_t Edge = None;
+    Vector Place;
+    std::vector<ForeseenNormal> Normals;
+  } mutable Foreseen;
   VertexState Surviving;
   std::vector<SavedCorner> Saved;
   mutable std::vector<std::uint32_t> Marks; // [vertices] the neighbours of a vertex carry the present mark

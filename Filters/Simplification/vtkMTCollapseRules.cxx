@@ -188,7 +188,9 @@ bool AreFolded(const Vector& n, const Vector& m)
 bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) const
 {
   const vtkMTCollapseMesh& m = this->Mesh;
-  Ring ring;
+  Run ring;
+  this->Foreseen.Edge = None;
+  this->Foreseen.Normals.clear();
   for (const std::uint32_t start : { h, h ^ 1 })
   {
     const Vector& center = m.GetPlace(m.GetSource(start));
@@ -203,11 +205,13 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
       const std::uint32_t link = m.GetNext(out);
       const std::uint32_t a = m.GetTarget(out);
       const std::uint32_t b = m.GetTarget(link);
-      const Vector& pa = m.GetPlace(a);
-      const Vector& pb = m.GetPlace(b);
-      const Vector normal = Cross(Subtract(pa, place), Subtract(pb, place));
-      if ((isMoved && this->IsTurned(Cross(Subtract(pa, center), Subtract(pb, center)), normal)) ||
-        (ring.LastB == a && AreFolded(ring.LastNormal, normal)) || this->FoldsAtLink(h, link, normal))
+      const bool isNext = ring.LastB == a;
+      const Vector toA = isNext ? ring.ToLastB : Subtract(m.GetPlace(a), place);
+      const Vector toB = Subtract(m.GetPlace(b), place);
+      const Vector normal = Cross(toA, toB);
+      const std::uint32_t face = m.GetFace(out);
+      if ((isMoved && this->IsTurned(this->GetNormal(face), normal)) ||
+        (isNext && AreFolded(ring.LastNormal, normal)) || this->FoldsAtLink(h, link, normal))
       {
         return true;
       }
@@ -220,10 +224,18 @@ bool vtkMTCollapseRegion::SpoilsShape(std::uint32_t h, const Vector& place) cons
       ring.LastA = a;
       ring.LastB = b;
       ring.LastNormal = normal;
+      ring.ToLastB = toB;
+      this->Foreseen.Normals.push_back({ normal, face });
     }
   }
-  return ring.LastB != None && ring.LastB == ring.FirstA && ring.LastA != ring.FirstB &&
-    AreFolded(ring.LastNormal, ring.FirstNormal);
+  if (ring.LastB != None && ring.LastB == ring.FirstA && ring.LastA != ring.FirstB &&
+    AreFolded(ring.LastNormal, ring.FirstNormal))
+  {
+    return true;
+  }
+  this->Foreseen.Edge = h;
+  this->Foreseen.Place = place;
+  return false;
 }
 
 bool vtkMTCollapseRegion::IsTurned(const Vector& before, const Vector& after)
@@ -240,10 +252,12 @@ bool vtkMTCollapseRegion::FoldsAtLink(std::uint32_t h, std::uint32_t link, const
   {
     return false;
   }
+  if (!AreFolded(this->GetNormal(m.GetFace(outer)), normal))
+  {
+    return false;
+  }
   const std::uint32_t w = m.GetTarget(m.GetNext(outer));
-  const Vector& a = m.GetPlace(m.GetTarget(outer));
-  return w != m.GetSource(h) && w != m.GetTarget(h) &&
-    AreFolded(Cross(Subtract(m.GetPlace(w), a), Subtract(m.GetPlace(m.GetTarget(link)), a)), normal);
+  return w != m.GetSource(h) && w != m.GetTarget(h);
 }
 
 void vtkMTCollapseRegion::MarkNeighbours(std::uint32_t v) const

@@ -107,7 +107,7 @@ bool vtkMTEdgeCollapse::SimplifyOrThrow(const vtkMTPatch& floor, const std::vect
   region.StepLimit =
     static_cast<std::uint64_t>(this->StepsPerEdge) * (region.Mesh.GetNumberOfEdges() + std::uint64_t(1));
   fans = {};
-  const double smallPart = this->ComponentBound * GetDiagonal(floor.GetBox());
+  const double smallPart = this->ComponentBound * GetDiagonal(region.GetBox());
   if (!this->Collapse(region, smallPart, error))
   {
     return false;

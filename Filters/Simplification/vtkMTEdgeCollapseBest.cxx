@@ -38,7 +38,8 @@ struct QuadricCost
   Cost operator()(const Profile& profile, const Place& place) const
   {
     this->R->Step();
-    return place ? Cost(this->Q->GetCost(GetHalfedge(profile), vtkMTCgalMesh::ToVector(*place))) : Cost();
+    const std::uint32_t h = GetHalfedge(profile);
+    return place ? Cost(this->Q->Propose(h, this->R->GetRule(h)).Cost) : Cost(); // the place is the proposed one
   }
 };
 }

@@ -5,6 +5,8 @@
 #include "vtkMTEdgeQueue.h"
 #include "vtkMTQuadrics.h"
 
+#include <array>
+
 namespace
 {
 /**
@@ -34,6 +36,7 @@ public:
         this->Offer(2 * e);
       }
     }
+    this->Flush();
     while (this->R.Faces > this->R.Target)
     {
       const std::uint32_t edge = this->Queue.Take();
@@ -46,7 +49,8 @@ public:
   }
 
 private:
-  // Puts the edge in the queue with its present cost, if it may be collapsed at all.
+  // Puts the edge in the queue with its present cost, if it may be collapsed at all; with the next ones, as the costs
+  // of four are found at once.
   void Offer(std::uint32_t h)
   {
     const vtkMTCollapseRegion::Rule rule = this->R.GetRule(h);
@@ -56,14 +60,33 @@ private:
       return;
     }
     this->R.Step();
-    this->Queue.Put(h / 2, this->Quadrics.Propose(h, rule).Cost);
+    this->Offers[this->Count++] = { h, rule };
+    if (this->Count == this->Offers.size())
+    {
+      this->Flush();
+    }
+  }
+
+  void Flush()
+  {
+    const std::size_t offered = this->Count;
+    while (this->Count % 4 != 0)
+    {
+      this->Offers[this->Count++] = this->Offers[offered - 1];
+    }
+    this->Quadrics.Propose(this->Offers.data(), this->Count, this->Proposals.data());
+    for (std::size_t i = 0; i < offered; ++i)
+    {
+      this->Queue.Put(this->Offers[i].Halfedge / 2, this->Proposals[i / 4].Cost[i % 4]);
+    }
+    this->Count = 0;
   }
 
   void Try(std::uint32_t h)
   {
     this->R.Step();
     const vtkMTCollapseRegion::Rule rule = this->R.GetRule(h);
-    if (rule == vtkMTCollapseRegion::Rule::Refused || this->R.MakesHub(h) || !this->R.SatisfiesLink(h))
+    if (rule == vtkMTCollapseRegion::Rule::Refused || this->R.MakesHub(h))
     {
       return;
     }
@@ -72,7 +95,8 @@ private:
     {
       this->Queue.Put(h / 2, now.Cost);
     }
-    else if (!this->R.MakesChord(h, rule) && !this->R.MakesDoubleEdge(h) && !this->R.SpoilsShape(h, now.Place))
+    else if (this->R.SatisfiesLink(h) && !this->R.MakesChord(h, rule) && !this->R.MakesDoubleEdge(h) &&
+      !this->R.SpoilsShape(h, now.Place))
     {
       this->Collapse(h, now.Place);
     }
@@ -95,12 +119,16 @@ private:
       this->Offer(out);
       out = this->Mesh.GetNextOut(out);
     } while (out != begin);
+    this->Flush();
   }
 
   vtkMTCollapseRegion& R;
   vtkMTCollapseMesh& Mesh;
   vtkMTQuadrics Quadrics;
   vtkMTEdgeQueue Queue;
+  std::array<vtkMTQuadrics::Request, 32> Offers;
+  std::array<vtkMTQuadrics::Four, 8> Proposals;
+  std::size_t Count = 0; // of offers
 };
 }
 

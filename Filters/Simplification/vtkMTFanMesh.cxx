@@ -4,6 +4,21 @@
 #include <algorithm>
 #include <utility>
 
+namespace
+{
+// Where wedges come in order of point, as they mostly do, and no two are of the same one.
+bool HasOneWedgePerPoint(const vtkMTPatch& floor)
+{
+  const std::vector<std::uint32_t>& points = floor.WedgePoints;
+  bool isRising = true;
+  for (std::size_t w = 1; w < points.size(); ++w)
+  {
+    isRising &= points[w - 1] < points[w];
+  }
+  return isRising;
+}
+}
+
 bool vtkMTFanMesh::Build(const vtkMTPatch& floor, const std::vector<unsigned char>& locked, std::string& error)
 {
   if (locked.size() != floor.Points.size())
@@ -19,7 +34,8 @@ bool vtkMTFanMesh::Build(const vtkMTPatch& floor, const std::vector<unsigned cha
   // Until the fans are known, Vertex holds points.
   this->Opposite = vtkMTHalfedgePairs::Find(this->Vertex);
   this->SplitIntoFans(floor.Points.size(), locked);
-  if (!floor.WedgePoints.empty())
+  this->TakeWedges(floor);
+  if (!this->Wedge.empty())
   {
     this->FindSeams();
   }
@@ -36,33 +52,38 @@ bool vtkMTFanMesh::TakeTriangles(const vtkMTPatch& floor, std::string& error)
   }
   const std::size_t wedges = floor.GetNumberOfWedges();
   const std::size_t points = floor.Points.size();
+  const std::uint32_t* const pointOf = floor.WedgePoints.empty() ? nullptr : floor.WedgePoints.data();
+  const auto isPoint = [points](std::uint32_t p) { return p < points; };
+  if (pointOf && !std::all_of(floor.WedgePoints.begin(), floor.WedgePoints.end(), isPoint))
+  {
+    error = "a wedge has a point that does not exist";
+    return false;
+  }
   this->Vertex.resize(3 * triangles);
-  this->Wedge.resize(3 * triangles);
-  std::size_t corners = 0;
+  this->Wedge.resize(HasOneWedgePerPoint(floor) ? 0 : 3 * triangles);
+  std::uint32_t* vertex = this->Vertex.data();
+  std::uint32_t* wedge = this->Wedge.data();
+  const bool hasWedges = wedge != nullptr;
   for (std::size_t t = 0; t < triangles; ++t)
   {
-    const vtkMTTriangle& w = floor.Triangles[t];
-    if (w[0] >= wedges || w[1] >= wedges || w[2] >= wedges)
+    const vtkMTTriangle w = floor.Triangles[t];
+    if (std::max({ w[0], w[1], w[2] }) >= wedges)
     {
       error = "triangle " + std::to_string(t) + " has a wedge that does not exist";
       return false;
     }
-    const vtkMTTriangle p = floor.GetPointsOfTriangle(t);
-    if (p[0] >= points || p[1] >= points || p[2] >= points)
+    const vtkMTTriangle p = pointOf ? vtkMTTriangle{ pointOf[w[0]], pointOf[w[1]], pointOf[w[2]] } : w;
+    std::copy(p.begin(), p.end(), vertex);
+    const std::ptrdiff_t taken = p[0] != p[1] && p[1] != p[2] && p[2] != p[0] ? 3 : 0;
+    vertex += taken;
+    if (hasWedges)
     {
-      error = "a wedge of triangle " + std::to_string(t) + " has a point that does not exist";
-      return false;
+      std::copy(w.begin(), w.end(), wedge);
+      wedge += taken;
     }
-    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0])
-    {
-      continue;
-    }
-    std::copy(p.begin(), p.end(), this->Vertex.begin() + static_cast<std::ptrdiff_t>(corners));
-    std::copy(w.begin(), w.end(), this->Wedge.begin() + static_cast<std::ptrdiff_t>(corners));
-    corners += 3;
   }
-  this->Vertex.resize(corners);
-  this->Wedge.resize(corners);
+  this->Vertex.resize(static_cast<std::size_t>(vertex - this->Vertex.data()));
+  this->Wedge.resize(hasWedges ? this->Vertex.size() : 0);
   return true;
 }
 
@@ -161,6 +182,26 @@ void vtkMTFanMesh::PairAgain()
       equal.push_back(open[i].second);
     }
     this->PairEqual(equal);
+  }
+}
+
+// Of the vertices.
+void vtkMTFanMesh::TakeWedges(const vtkMTPatch& floor)
+{
+  this->WedgeOf.resize(this->Point.size());
+  for (std::size_t c = 0; c < this->Wedge.size(); ++c)
+  {
+    this->WedgeOf[this->Vertex[c]] = this->Wedge[c];
+  }
+  if (this->Wedge.empty())
+  {
+    std::vector<std::uint32_t> ofPoints(floor.WedgePoints.empty() ? 0 : floor.Points.size());
+    for (std::uint32_t w = 0; w < floor.WedgePoints.size(); ++w)
+    {
+      ofPoints[floor.WedgePoints[w]] = w;
+    }
+    std::transform(this->Point.begin(), this->Point.end(), this->WedgeOf.begin(),
+      [&](std::uint32_t point) { return ofPoints.empty() ? point : ofPoints[point]; });
   }
 }
 

@@ -39,9 +39,10 @@ public:
   };
 
   std::vector<std::uint32_t> Vertex;   ///< [3 t] the vertex of each corner
-  std::vector<std::uint32_t> Wedge;    ///< [3 t] the floor's wedge of each corner
+  std::vector<std::uint32_t> Wedge;    ///< [3 t] the floor's wedge of each corner; empty where points have one each
   std::vector<std::uint32_t> Opposite; ///< [3 t] the edge that each edge is paired with, or None at a border
   std::vector<std::uint32_t> Point;    ///< [v] the floor's point of each vertex
+  std::vector<std::uint32_t> WedgeOf;  ///< [v] the floor's wedge of a corner of each vertex
   std::vector<unsigned char> Lock;     ///< [v] LockType bits
   bool Seams = false;                  ///< whether the wedges differ across any paired edge
 
@@ -60,6 +61,7 @@ private:
   void SplitIntoFans(std::size_t points, const std::vector<unsigned char>& locked);
   void WalkFan(std::uint32_t corner, std::uint32_t vertex, std::vector<std::uint32_t>& vertexOfCorner) const;
   void PairAgain();
+  void TakeWedges(const vtkMTPatch& floor);
   void FindSeams();
 };
 

@@ -26,6 +26,7 @@ std::size_t vtkMTCollapseRegion::CloseHoles(double maximumDiagonal)
       ++closed;
     }
   }
+  this->FillNormals();
   return closed;
 }
 

@@ -19,8 +19,10 @@
 
 #include "vtkMTCollapseRegion.h"
 
-#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <vector>
 
 class vtkMTQuadrics
@@ -29,10 +31,33 @@ public:
   using Vector = vtkMTCollapseRegion::Vector;
   using Rule = vtkMTCollapseRegion::Rule;
 
+  /// x' A x + 2 b' x + c: the symmetric matrix A (xx xy xz yy yz zz), the vector b, the number c; three registers of
+  /// four.
+  struct alignas(32) Quadric
+  {
+    double V[12];
+  };
+  /// The same of a vertex, and its place: what is asked for at once lies side by side.
+  struct alignas(128) OfVertex
+  {
+    Quadric Sum;
+    double Place[4];
+  };
   struct Proposal
   {
     Vector Place;
     double Cost;
+  };
+  struct Request
+  {
+    std::uint32_t Halfedge;
+    Rule ByRule;
+  };
+  /// Of four requests.
+  struct alignas(32) Four
+  {
+    double Cost[4];
+    double Place[3][4];
   };
 
   explicit vtkMTQuadrics(const vtkMTCollapseRegion& region)
@@ -47,37 +72,20 @@ public:
 
   /// The best place for a collapse under the rule, and what it costs; not for Rule::Refused.
   Proposal Propose(std::uint32_t h, Rule rule) const;
-  double GetCost(std::uint32_t h, const Vector& place) const;
+  /// The same for a multiple of four requests, four at a time.
+  void Propose(const Request* requests, std::size_t count, Four* proposals) const;
 
 private:
-  // x' A x + 2 b' x + c: the symmetric matrix A (xx xy xz yy yz zz), the vector b, the number c.
-  struct Quadric
-  {
-    std::array<double, 10> V{};
-
-    void Add(const Quadric& other)
-    {
-      for (std::size_t i = 0; i < 10; ++i)
-      {
-        this->V[i] += other.V[i];
-      }
-    }
-    double Evaluate(const Vector& p) const;
-    double GetTrace() const { return this->V[0] + this->V[3] + this->V[5]; }
-  };
-
-  static Quadric MakePlaneQuadric(const Vector& normal, const Vector& on);
-  void MakeFaceQuadric(std::uint32_t h);
-  void MakeQuadric(std::uint32_t v);
+  static void AddPlane(const Vector& normal, const Vector& on, Quadric& q);
+  void MakeFaceQuadrics();
+  void MakeQuadrics();
   bool IsStillGood(std::uint32_t v);
   void AddCurveQuadrics(std::uint32_t v, Quadric& q) const;
-  Quadric GetSum(std::uint32_t h) const;
-  double GetCost(const Quadric& q, std::uint32_t h, const Vector& place) const;
-  static Vector Minimize(const Quadric& q, const Vector& middle);
 
   const vtkMTCollapseRegion& R;
-  std::vector<Quadric> FaceQuadrics;                    // [faces]
-  std::vector<Quadric> Quadrics;                        // [vertices]
+  std::unique_ptr<Quadric[]> FaceQuadrics;              // [faces]
+  std::unique_ptr<OfVertex[]> Quadrics;                 // [vertices]
+  std::vector<std::uint32_t> List;                      // of what is made next
   std::map<std::uint32_t, std::uint32_t> ChangesOfHubs; // since their quadrics were made
 };
 

@@ -148,6 +148,13 @@ private:
   std::size_t Count = 0;
 };
 
+bool AreEqual(const Places& a, const Places& b, std::size_t begin, std::size_t size)
+{
+  const auto differs = [&](std::size_t k)
+  { return std::memcmp(a[k].data() + begin, b[k].data() + begin, size * sizeof(std::uint16_t)) != 0; };
+  return !differs(0) && !differs(1);
+}
+
 std::vector<unsigned char> EncodeAgainst(
   const Places& expected, const Places& places, const Blocks& blocks, int bits, bool ofPoints)
 {
@@ -157,17 +164,20 @@ std::vector<unsigned char> EncodeAgainst(
   std::vector<unsigned char> parameters(blocks.GetCount(), AsExpected);
   for (std::size_t block = 0; block < parameters.size(); ++block)
   {
-    const std::size_t known = codes[0].size();
-    for (std::size_t w = blocks.GetBegin(block); w < blocks.GetEnd(block); ++w)
+    const std::size_t begin = blocks.GetBegin(block);
+    const std::size_t size = blocks.GetSize(block);
+    if (AreEqual(expected, places, begin, size))
+    {
+      continue;
+    }
+    parameters[block] = 0;
+    for (std::size_t w = begin; w < begin + size; ++w)
     {
       const std::array<std::uint16_t, 2> difference =
         net.Subtract({ places[0][w], places[1][w] }, { expected[0][w], expected[1][w] });
-      parameters[block] = difference[0] != 0 || difference[1] != 0 ? 0 : parameters[block];
       codes[0].push_back(ToZigzag(difference[0]));
       codes[1].push_back(ToZigzag(difference[1]));
     }
-    codes[0].resize(parameters[block] == AsExpected ? known : codes[0].size());
-    codes[1].resize(codes[0].size());
     ofShared = blocks.IsOfShared(block) ? codes[0].size() : ofShared;
   }
   const std::array<vtkMTRiceCode::Coded, 2> coded{ vtkMTRiceCode::Encode(codes[0], MostParameter, ofShared),

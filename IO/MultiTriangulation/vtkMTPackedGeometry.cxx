@@ -97,15 +97,9 @@ const std::vector<Basis>& GetPointBases(vtkMTDecodeScratch& traversal)
   return result;
 }
 
-// What the decoder will know once it has the triangles.
+// What the decoder will know once it has the triangles, from its mesh.
 void Foresee(const vtkMTPatchOrder& order, vtkMTDecodeScratch& traversal)
 {
-  std::vector<unsigned char> steps = order.Steps;
-  steps.resize(steps.size() + Slack, 0);
-  std::vector<unsigned char> names = order.Names;
-  names.resize(names.size() + Slack, 0);
-  vtkMTTriangleCodec::Decode(steps.data(), order.Steps.size(), names.data(), order.Names.size(),
-    order.Patch.Triangles.size(), order.Patch.GetNumberOfWedges(), traversal.Mesh);
   traversal.WedgePoints = order.WedgePoints;
   traversal.WedgeOfStream = vtkMTPatchOrder::PlaceWedges(order.WedgePoints, order.PointOfStream);
   vtkMTIdCodec::GetBorderOrder(

@@ -22,8 +22,8 @@ struct vtkMTDecodeScratch;
 
 namespace vtkMTPackedGeometry
 {
-/// Both say how the triangles were met. Appends a consistent patch's geometry. False when it is too large for the
-/// codec.
+/// Both say how the triangles were met. Appends a consistent patch's geometry, of which the traversal has the mesh
+/// already (vtkMTPatchOrder::Make). False when it is too large for the codec.
 bool Encode(const vtkMTPatchOrder& order, vtkMTFileFormat::Codec codec, std::vector<unsigned char>& bytes,
   vtkMTDecodeScratch& traversal);
 

@@ -164,8 +164,8 @@ bool Encode(const vtkMTPatch& patch, const std::vector<vtkMTArrayInfo>& arrays, 
   {
     return true; // a dependency
   }
-  const vtkMTPatchOrder order = vtkMTPatchOrder::Make(patch);
-  vtkMTDecodeScratch traversal;
+  thread_local vtkMTDecodeScratch traversal;
+  const vtkMTPatchOrder order = vtkMTPatchOrder::Make(patch, traversal.Mesh);
   Codec used = codec;
   if (codec == vtkMTFileFormat::Raw || !vtkMTPackedGeometry::Encode(order, codec, bytes, traversal))
   {

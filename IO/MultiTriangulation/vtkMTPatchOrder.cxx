@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchOrder.h"
 
+#include "vtkMTFill.h"
 #include "vtkMTTriangleCodec.h"
 
 #include <algorithm>
@@ -11,13 +12,37 @@ namespace
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
+template <std::size_t Size>
+void PermuteTuples(const unsigned char* values, const std::vector<std::uint32_t>& from, unsigned char* result)
+{
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    std::memcpy(result + i * Size, values + from[i] * Size, Size);
+  }
+}
+
 vtkMTColumn Permute(const vtkMTColumn& column, const std::vector<std::uint32_t>& from)
 {
   vtkMTColumn result(column.size());
   const std::size_t size = from.empty() ? 0 : column.size() / from.size();
-  for (std::size_t i = 0; i < from.size() && size > 0; ++i)
+  switch (size)
   {
-    std::memcpy(result.data() + i * size, column.data() + from[i] * size, size);
+    case 0:
+      break;
+    case 4:
+      PermuteTuples<4>(column.data(), from, result.data());
+      break;
+    case 8:
+      PermuteTuples<8>(column.data(), from, result.data());
+      break;
+    case 12:
+      PermuteTuples<12>(column.data(), from, result.data());
+      break;
+    default:
+      for (std::size_t i = 0; i < from.size(); ++i)
+      {
+        std::memcpy(result.data() + i * size, column.data() + from[i] * size, size);
+      }
   }
   return result;
 }
@@ -50,47 +75,50 @@ public:
   std::vector<std::uint32_t> Order;  // which one is new number i
 };
 
-// Points and wedges in order of use, and their places in the stored patch, for triangles in some order.
+// Points and wedges in order of use, and their places in the stored patch.
 struct Numbering
 {
-  std::vector<vtkMTTriangle> Triangles;  // of wedges in order of use
-  std::vector<std::uint32_t> WedgeOrder; // the patch's wedge for each in order of use
-  std::vector<std::uint32_t> PointOrder;
+  std::vector<std::uint32_t> WedgeOrder;  // the patch's wedge for each in order of use
+  std::vector<std::uint32_t> PointOrder;  // empty where wedge i is point i: it is the same
   std::vector<std::uint32_t> WedgePoints; // order of use of points
   std::vector<std::uint32_t> PointPlace;
   std::vector<std::uint32_t> WedgePlace;
 
-  Numbering(const vtkMTPatch& patch, const std::vector<vtkMTTriangle>& triangles)
-    : Triangles(triangles)
+  Numbering(const vtkMTPatch& patch, std::vector<std::uint32_t> wedgeOrder)
+    : WedgeOrder(std::move(wedgeOrder))
   {
-    FirstUse wedges(patch.GetNumberOfWedges());
-    for (vtkMTTriangle& t : this->Triangles)
+    if (!patch.WedgePoints.empty())
     {
-      for (std::uint32_t& w : t)
-      {
-        wedges.Meet(w);
-        w = wedges.Number[w];
-      }
+      this->NumberPoints(patch);
     }
-    wedges.Finish();
-    FirstUse points(patch.Points.size());
-    for (std::uint32_t w : wedges.Order)
-    {
-      points.Meet(patch.GetPointOfWedge(w));
-    }
-    points.Finish();
-    std::vector<unsigned char> isShared(points.Order.size());
-    for (std::size_t i = 0; i < isShared.size(); ++i)
-    {
-      isShared[i] = points.Order[i] < patch.Ids.size() ? 1 : 0;
-    }
-    for (std::size_t w = 0; w < patch.WedgePoints.size(); ++w)
-    {
-      this->WedgePoints.push_back(points.Number[patch.WedgePoints[wedges.Order[w]]]);
-    }
+    const std::vector<std::uint32_t>& points = this->GetPointOrder();
+    const std::size_t shared = patch.Ids.size();
+    std::vector<unsigned char> isShared(points.size());
+    std::transform(points.begin(), points.end(), isShared.begin(),
+      [shared](std::uint32_t point) { return static_cast<unsigned char>(point < shared ? 1 : 0); });
     this->PointPlace = vtkMTPatchOrder::PlacePoints(isShared);
     this->WedgePlace = vtkMTPatchOrder::PlaceWedges(this->WedgePoints, this->PointPlace);
-    this->WedgeOrder = std::move(wedges.Order);
+  }
+
+  const std::vector<std::uint32_t>& GetPointOrder() const
+  {
+    return this->PointOrder.empty() ? this->WedgeOrder : this->PointOrder;
+  }
+
+private:
+  void NumberPoints(const vtkMTPatch& patch)
+  {
+    FirstUse points(patch.Points.size());
+    for (const std::uint32_t w : this->WedgeOrder)
+    {
+      points.Meet(patch.WedgePoints[w]);
+    }
+    points.Finish();
+    this->WedgePoints.reserve(patch.WedgePoints.size());
+    for (const std::uint32_t w : this->WedgeOrder)
+    {
+      this->WedgePoints.push_back(points.Number[patch.WedgePoints[w]]);
+    }
     this->PointOrder = std::move(points.Order);
   }
 };
@@ -99,9 +127,10 @@ void PermutePoints(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPat
 {
   ordered.Points.resize(patch.Points.size());
   ordered.Ids.resize(patch.Ids.size());
-  for (std::size_t i = 0; i < numbering.PointOrder.size(); ++i)
+  const std::vector<std::uint32_t>& order = numbering.GetPointOrder();
+  for (std::size_t i = 0; i < order.size(); ++i)
   {
-    const std::uint32_t from = numbering.PointOrder[i];
+    const std::uint32_t from = order[i];
     const std::uint32_t place = numbering.PointPlace[i];
     ordered.Points[place] = patch.Points[from];
     if (from < patch.Ids.size())
@@ -125,15 +154,15 @@ void PermutePoints(const vtkMTPatch& patch, const Numbering& numbering, vtkMTPat
   }
 }
 
-void PermuteTriangles(
-  const vtkMTPatch& patch, const Numbering& numbering, const std::vector<std::uint32_t>& from, vtkMTPatch& ordered)
+void PermuteTriangles(const vtkMTPatch& patch, const std::vector<std::uint32_t>& place,
+  const vtkMTTriangleCodec::Decoded& mesh, const std::vector<std::uint32_t>& from, vtkMTPatch& ordered)
 {
-  const std::vector<std::uint32_t>& place = numbering.WedgePlace;
-  ordered.Triangles.reserve(numbering.Triangles.size());
-  for (const vtkMTTriangle& t : numbering.Triangles)
-  {
-    ordered.Triangles.push_back({ place[t[0]], place[t[1]], place[t[2]] });
-  }
+  vtkMTFill(ordered.Triangles, from.size(),
+    [place = place.data(), triangles = mesh.Triangles.data()](std::size_t i)
+    {
+      const std::array<std::uint32_t, 4>& t = triangles[i];
+      return vtkMTTriangle{ place[t[0]], place[t[1]], place[t[2]] };
+    });
   for (const vtkMTColumn& column : patch.CellColumns)
   {
     ordered.CellColumns.push_back(Permute(column, from));
@@ -178,16 +207,22 @@ std::vector<std::uint32_t> vtkMTPatchOrder::PlaceWedges(
   return place;
 }
 
-vtkMTPatchOrder vtkMTPatchOrder::Make(const vtkMTPatch& patch)
+vtkMTPatchOrder vtkMTPatchOrder::Make(const vtkMTPatch& patch, vtkMTTriangleCodec::Decoded& mesh)
 {
-  vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(patch.Triangles, patch.GetNumberOfWedges());
-  const Numbering numbering(patch, coded.Triangles);
+  vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(patch.Triangles, patch.GetNumberOfWedges(), mesh);
+  Numbering numbering(patch, std::move(coded.Vertices));
   vtkMTPatchOrder result;
   result.Steps = std::move(coded.Steps);
   result.Names = std::move(coded.Names);
-  result.PointOfStream = numbering.PointPlace;
-  result.WedgePoints = numbering.WedgePoints;
   PermutePoints(patch, numbering, result.Patch);
-  PermuteTriangles(patch, numbering, coded.Order, result.Patch);
+  PermuteTriangles(patch, numbering.WedgePlace, mesh, coded.Order, result.Patch);
+  result.PointOfStream = std::move(numbering.PointPlace);
+  result.WedgePoints = std::move(numbering.WedgePoints);
   return result;
+}
+
+vtkMTPatchOrder vtkMTPatchOrder::Make(const vtkMTPatch& patch)
+{
+  vtkMTTriangleCodec::Decoded mesh;
+  return vtkMTPatchOrder::Make(patch, mesh);
 }

@@ -17,6 +17,11 @@
 #include <cstdint>
 #include <vector>
 
+namespace vtkMTTriangleCodec
+{
+struct Decoded;
+}
+
 struct VTKMTIO_EXPORT vtkMTPatchOrder
 {
   vtkMTPatch Patch;                         ///< the same patch in the order of storage
@@ -25,8 +30,11 @@ struct VTKMTIO_EXPORT vtkMTPatchOrder
   std::vector<std::uint32_t> WedgePoints;   ///< place in order of use of the point of each wedge, or empty
   std::vector<std::uint32_t> PointOfStream; ///< the patch's point for each one in order of use
 
-  /// The patch must be consistent: every index in range.
+  ///@{
+  /// The patch must be consistent: every index in range. mesh: what the decoder will find of the triangles.
+  static vtkMTPatchOrder Make(const vtkMTPatch& patch, vtkMTTriangleCodec::Decoded& mesh);
   static vtkMTPatchOrder Make(const vtkMTPatch& patch);
+  ///@}
 
   /**
    * Final places from order of use: pointOfStream from the flags of shared points, then wedgeOfStream, the patch's

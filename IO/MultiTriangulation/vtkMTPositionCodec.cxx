@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPositionCodec.h"
 
-#include "vtkMTNumberCode.h"
-
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 
 namespace
 {
-using vtkMTNumberCode::ToZigzag;
 using vtkMTTriangleCodec::Basis;
 using vtkMTTriangleCodec::None;
 
 // A point with a fourth coordinate that is not used, so that a point is one register.
 using Wide = vtkMTPositionCodec::Wide;
-
-// Rounded to a multiple of 2^shift and counted in these, as signed numbers are shifted.
-std::uint32_t Coarsen(std::uint32_t x, unsigned shift)
-{
-  return static_cast<std::uint32_t>(static_cast<std::int32_t>(x + (1u << (shift - 1))) >> shift);
-}
+using SignedWide __attribute__((vector_size(16))) = std::int32_t;
 
 // Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way,
 // as which it is cannot be predicted.
@@ -95,7 +88,6 @@ Basis GetBasis(const std::vector<Basis>& bases, std::size_t i)
 // of the parallelogram.
 Wide Expect(const Wide* points, const Basis& basis, const Wide& near)
 {
-  using SignedWide __attribute__((vector_size(16))) = std::int32_t;
   const Wide& c = points[basis.C];
   const Wide far = points[basis.A] + points[basis.B] - c;
   const auto quarter = reinterpret_cast<SignedWide>(far - c) >> 2;
@@ -151,47 +143,62 @@ bool MakeReaders(const vtkMTPositionCodec::Source& source, std::size_t points, R
   return true;
 }
 
-using Codes = std::array<std::vector<std::uint32_t>, 3>;
-
-Codes GetCodes(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& bases, const vtkMTPoint& corner,
-  const vtkMTPositionCodec::Packed& packed)
+// The codes of all points, as they are where points are expected at the end of the parallelogram, and nearer.
+struct Codes
 {
-  const Wide near = GetNear(packed.IsNear);
-  std::vector<Wide> places(points.size() + 1);
-  places[0] = Widen(corner);
-  Codes codes;
-  for (auto& axis : codes)
-  {
-    axis.resize(points.size());
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const Wide expected = Expect(places.data(), GetBasis(bases, i), near);
-    const bool isCoarse = packed.Shift > 0 && GetBit(packed.Coarse.data(), i);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::uint32_t x = static_cast<std::uint32_t>(points[i][axis]);
-      codes[axis][i] = ToZigzag(isCoarse
-          ? static_cast<std::uint32_t>(points[i][axis] >> packed.Shift) - Coarsen(expected[axis], packed.Shift)
-          : x - expected[axis]);
-    }
-    places[i + 1] = Widen(points[i]);
-  }
-  return codes;
+  std::unique_ptr<Wide[]> Far;
+  std::unique_ptr<Wide[]> Near;
+  Wide FarBits{}; // that they have above their leading zeros: how long Rice codes are, but for a constant
+  Wide NearBits{};
+};
+
+// In multiples of 2^shift; half is half of one.
+Wide GetDifference(const Wide& place, const Wide& expected, unsigned shift, std::uint32_t half)
+{
+  const auto coarse = reinterpret_cast<SignedWide>(expected + half) >> static_cast<std::int32_t>(shift);
+  const auto here = reinterpret_cast<SignedWide>(place) >> static_cast<std::int32_t>(shift);
+  return reinterpret_cast<Wide>(here) - reinterpret_cast<Wide>(coarse);
 }
 
-// That the codes have above their leading zeros: how long Rice codes are, but for a constant.
-std::uint64_t GetBits(const Codes& codes)
+Wide ToZigzags(const Wide& differences)
 {
-  std::uint64_t bits = 0;
-  for (const auto& axis : codes)
+  return (differences << 1) ^ (0 - (differences >> 31));
+}
+
+// By the exponents of what is left of the codes when their second bit is cleared, so that nothing is rounded up.
+Wide CountBits(const Wide& codes)
+{
+  const Wide some = codes | 1;
+  using Floats __attribute__((vector_size(16))) = float;
+  const Floats numbers = __builtin_convertvector(reinterpret_cast<SignedWide>(some & ~(some >> 1)), Floats);
+  return (reinterpret_cast<Wide>(numbers) << 1 >> 24) - 127;
+}
+
+std::uint64_t Sum(const Wide& counts)
+{
+  return std::uint64_t(counts[0]) + counts[1] + counts[2];
+}
+
+void GetCodes(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& bases, const vtkMTPoint& corner,
+  const vtkMTPositionCodec::Packed& packed, Codes& codes)
+{
+  const std::unique_ptr<Wide[]> places(new Wide[points.size() + 1]);
+  codes.Far.reset(new Wide[points.size()]);
+  codes.Near.reset(new Wide[points.size()]);
+  places[0] = Widen(corner);
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    for (const std::uint32_t code : axis)
-    {
-      bits += 32u - static_cast<unsigned>(__builtin_clz(code | 1u));
-    }
+    const Basis basis = GetBasis(bases, i);
+    const unsigned shift = packed.Shift > 0 && GetBit(packed.Coarse.data(), i) ? packed.Shift : 0;
+    const std::uint32_t half = (1u << shift) >> 1;
+    places[i + 1] = Widen(points[i]);
+    const Wide far = Expect(places.get(), basis, GetNear(false));
+    const Wide near = Expect(places.get(), basis, GetNear(true));
+    codes.Far[i] = ToZigzags(GetDifference(places[i + 1], far, shift, half));
+    codes.Near[i] = ToZigzags(GetDifference(places[i + 1], near, shift, half));
+    codes.FarBits += CountBits(codes.Far[i]);
+    codes.NearBits += CountBits(codes.Near[i]);
   }
-  return bits;
 }
 }
 
@@ -206,13 +213,18 @@ Packed Encode(const std::vector<vtkMTPoint>& points, const std::vector<Basis>& b
   {
     packed.Coarse[i / 8] |= static_cast<unsigned char>((CountZeros(points[i]) >= packed.Shift ? 1u : 0u) << (i % 8));
   }
-  Codes codes = GetCodes(points, bases, corner, packed);
-  packed.IsNear = true;
-  Codes nearCodes = GetCodes(points, bases, corner, packed);
-  packed.IsNear = GetBits(nearCodes) < GetBits(codes);
+  Codes codes;
+  GetCodes(points, bases, corner, packed, codes);
+  packed.IsNear = Sum(codes.NearBits) < Sum(codes.FarBits);
+  const Wide* const used = packed.IsNear ? codes.Near.get() : codes.Far.get();
+  std::vector<std::uint32_t> ofAxis(points.size());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    packed.Axes[axis] = vtkMTRiceCode::Encode(packed.IsNear ? nearCodes[axis] : codes[axis]);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      ofAxis[i] = used[i][axis];
+    }
+    packed.Axes[axis] = vtkMTRiceCode::Encode(ofAxis);
   }
   return packed;
 }

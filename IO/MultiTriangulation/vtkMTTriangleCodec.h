@@ -43,14 +43,11 @@ struct Basis
 
 struct Coded
 {
-  std::vector<unsigned char> Steps;     ///< a prefix code, lowest bit first
-  std::vector<unsigned char> Names;     ///< Rice codes: of vertices that are named
-  std::vector<vtkMTTriangle> Triangles; ///< as they will be decoded, of the caller's vertices
-  std::vector<std::uint32_t> Order;     ///< which of the caller's triangles each one is; equal ones keep their order
+  std::vector<unsigned char> Steps;    ///< a prefix code, lowest bit first
+  std::vector<unsigned char> Names;    ///< Rice codes: of vertices that are named
+  std::vector<std::uint32_t> Order;    ///< which of the caller's triangles each one is; equal ones keep their order
+  std::vector<std::uint32_t> Vertices; ///< the caller's vertices in order of use, then those that are not used
 };
-
-/// Every triangle's indices are below `vertices`.
-Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices);
 
 /// A gate that waits beside the present one, or several that are closed.
 struct Gate
@@ -95,6 +92,9 @@ struct Decoded
   std::vector<std::uint32_t> Border;
   Workspace Work;
 };
+
+/// Every triangle's indices are below `vertices`. Replaces what `decoded` holds by what will be decoded.
+Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices, Decoded& decoded);
 
 /// Replaces what `decoded` holds by so many triangles of at most so many vertices. False when the bytes are no such
 /// steps. Eight bytes behind the steps and behind the names can be read.

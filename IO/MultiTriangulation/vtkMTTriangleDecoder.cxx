@@ -2,6 +2,7 @@
 // The codec's other side: from steps and names to triangles.
 #include "vtkMTTriangleFront.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace
@@ -149,7 +150,7 @@ public:
     }
     std::fill(this->Bases + this->Now.Met, this->Bases + this->Out.NumberOfVertices, Basis());
     this->Now.Growing.SeeOpen([this](std::uint32_t from, std::uint32_t to) { this->PutBorder(this->Now, from, to); });
-    this->FollowBorder();
+    FollowBorder(this->Now.Borders, this->Out);
     return this->Now.Steps.IsAtEnd() && this->Names.IsAtEnd();
   }
 
@@ -317,30 +318,6 @@ private:
     BorderGate& gate = this->BorderGates[now.Borders++];
     gate.From = from;
     gate.To = to;
-  }
-
-  // From each gate to the latest one that starts where it ends, as far as none was passed before.
-  void FollowBorder()
-  {
-    const std::uint32_t count = this->Now.Borders;
-    // Only what is written here counts: a gate that is not the right one does not start at the vertex.
-    std::uint32_t* const gateFrom = EnsureSize(this->Out.Work.BorderFrom, this->Out.NumberOfVertices);
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      gateFrom[this->BorderGates[i].From] = i;
-    }
-    this->Out.Border.clear();
-    for (std::uint32_t i = 0; i < count; ++i)
-    {
-      std::uint32_t from = this->BorderGates[i].From;
-      for (std::uint32_t gate = i; from != None && gate < count && this->BorderGates[gate].From == from;
-           gate = gateFrom[from])
-      {
-        this->Out.Border.push_back(from);
-        this->BorderGates[gate].From = None;
-        from = this->BorderGates[gate].To;
-      }
-    }
   }
 
   Cursor Now;

@@ -7,7 +7,8 @@
 
 vtkMTTriangleEdges::vtkMTTriangleEdges(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
   : First(vertices + 1, 0)
-  , Corners(3 * triangles.size())
+  , Corners(new Entry[3 * triangles.size()])
+  , Ends(new std::uint32_t[3 * triangles.size()])
   , Triangles(triangles)
   , IsDone(triangles.size(), 0)
   , Reverse(triangles.size(), Unknown)
@@ -21,36 +22,20 @@ vtkMTTriangleEdges::vtkMTTriangleEdges(const std::vector<vtkMTTriangle>& triangl
   }
   std::partial_sum(this->First.begin(), this->First.end(), this->First.begin());
   std::vector<std::size_t> next(this->First.begin(), this->First.end() - 1);
+  const auto put = [&](std::uint32_t t, std::uint32_t c, std::uint32_t from, std::uint32_t to)
+  {
+    const std::size_t at = next[from]++;
+    this->Corners[at] = { t, c };
+    this->Ends[at] = to;
+  };
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
   {
-    for (std::uint32_t c = 0; c < 3; ++c)
-    {
-      this->Corners[next[triangles[t][c]]++] = { t, c };
-    }
+    const vtkMTTriangle& v = triangles[t];
+    put(t, 0, v[0], v[1]);
+    put(t, 1, v[1], v[2]);
+    put(t, 2, v[2], v[0]);
   }
   this->GroupHubs();
-}
-
-vtkMTTriangleEdges::Corner vtkMTTriangleEdges::FindOfFew(std::uint32_t a, std::uint32_t b)
-{
-  Corner found;
-  for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
-  {
-    const Corner& corner = this->Corners[i];
-    if (this->IsDone[corner.Triangle] || this->Get(corner, 1) != b)
-    {
-      continue;
-    }
-    if (found.Triangle == None)
-    {
-      found = corner;
-    }
-    else if (!this->HasReverse(found) && this->HasReverse(corner))
-    {
-      return corner;
-    }
-  }
-  return found;
 }
 
 void vtkMTTriangleEdges::GroupHubs()
@@ -64,10 +49,9 @@ void vtkMTTriangleEdges::GroupHubs()
     if (this->Skipped.empty())
     {
       this->FindReverses();
-      this->Skipped.assign(this->Corners.size(), 0);
+      this->Skipped.assign(3 * this->Triangles.size(), 0);
     }
-    std::stable_sort(this->Corners.begin() + static_cast<std::ptrdiff_t>(this->First[v]),
-      this->Corners.begin() + static_cast<std::ptrdiff_t>(this->First[v + 1]),
+    std::stable_sort(this->Corners.get() + this->First[v], this->Corners.get() + this->First[v + 1],
       [this](const Corner& a, const Corner& b)
       {
         const std::uint32_t ends[2] = { this->Get(a, 1), this->Get(b, 1) };
@@ -111,14 +95,13 @@ void vtkMTTriangleEdges::FindReverses()
 vtkMTTriangleEdges::Corner vtkMTTriangleEdges::FindOfHub(std::uint32_t a, std::uint32_t b)
 {
   const std::size_t last = this->First[a + std::size_t(1)];
-  const auto begin = std::lower_bound(this->Corners.begin() + static_cast<std::ptrdiff_t>(this->First[a]),
-    this->Corners.begin() + static_cast<std::ptrdiff_t>(last), b,
+  const Entry* const begin = std::lower_bound(this->Corners.get() + this->First[a], this->Corners.get() + last, b,
     [this](const Corner& corner, std::uint32_t end)
     {
       ++this->Looks;
       return this->Get(corner, 1) < end;
     });
-  const auto group = static_cast<std::size_t>(begin - this->Corners.begin());
+  const auto group = static_cast<std::size_t>(begin - this->Corners.get());
   std::size_t i = group < last ? group + this->Skipped[group] : last;
   while (i < last && this->Get(this->Corners[i], 1) == b && this->IsDone[this->Corners[i].Triangle])
   {
@@ -130,7 +113,7 @@ vtkMTTriangleEdges::Corner vtkMTTriangleEdges::FindOfHub(std::uint32_t a, std::u
   {
     this->Skipped[group] = static_cast<std::uint32_t>(i - group);
   }
-  return i < last && this->Get(this->Corners[i], 1) == b ? this->Corners[i] : Corner();
+  return i < last && this->Get(this->Corners[i], 1) == b ? Corner(this->Corners[i]) : Corner();
 }
 
 // Done or not; looked for once, as there may be any number of triangles at a vertex.
@@ -149,7 +132,7 @@ bool vtkMTTriangleEdges::FindReverse(const Corner& corner) const
   const std::uint32_t a = this->Get(corner, 0);
   for (std::size_t i = this->First[a]; i < this->First[a + std::size_t(1)]; ++i)
   {
-    const Corner& other = this->Corners[i];
+    const Corner other = this->Corners[i];
     if (this->Get(other, 1) == this->Get(corner, 2) && this->Get(other, 2) == this->Get(corner, 1))
     {
       return true;

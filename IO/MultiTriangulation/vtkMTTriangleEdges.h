@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class VTKMTIO_EXPORT vtkMTTriangleEdges
@@ -35,7 +36,7 @@ public:
   /// nothing would lead there later, where the surface goes on past it.
   Corner Find(std::uint32_t a, std::uint32_t b)
   {
-    return this->IsHub(a) ? this->FindOfHub(a, b) : this->FindOfFew(a, b);
+    return this->IsHub(a) ? this->FindOfHub(a, b) : this->FindOfFew(this->First[a], this->First[a + std::size_t(1)], b);
   }
   void Finish(std::uint32_t triangle) { this->IsDone[triangle] = 1; }
   bool IsFinished(std::uint32_t triangle) const { return this->IsDone[triangle] != 0; }
@@ -59,16 +60,43 @@ private:
   void GroupHubs();
   void FindReverses();
   Corner FindOfHub(std::uint32_t a, std::uint32_t b);
-  Corner FindOfFew(std::uint32_t a, std::uint32_t b);
+  // Among the corners from begin to end.
+  Corner FindOfFew(std::size_t begin, std::size_t end, std::uint32_t b)
+  {
+    Corner found;
+    const std::uint32_t* const ends = this->Ends.get();
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (ends[i] == b && !this->IsDone[this->Corners[i].Triangle])
+      {
+        found = found.Triangle == None ? Corner(this->Corners[i]) : this->Prefer(found, this->Corners[i]);
+      }
+    }
+    return found;
+  }
+  // Of two triangles of an edge.
+  Corner Prefer(const Corner& first, const Corner& second)
+  {
+    return !this->HasReverse(first) && this->HasReverse(second) ? second : first;
+  }
   bool HasReverse(const Corner& corner);
   bool FindReverse(const Corner& corner) const;
   std::uint32_t Get(const Corner& corner, std::uint32_t offset) const
   {
-    return this->Triangles[corner.Triangle][(corner.Index + offset) % 3];
+    const std::uint32_t index = corner.Index + offset;
+    return this->Triangles[corner.Triangle][index < 3 ? index : index - 3];
   }
 
   std::vector<std::size_t> First;
-  std::vector<Corner> Corners;
+  // A corner, of which an array is not filled before it is written to.
+  struct Entry
+  {
+    std::uint32_t Triangle;
+    std::uint32_t Index;
+    operator Corner() const { return { this->Triangle, this->Index }; }
+  };
+  std::unique_ptr<Entry[]> Corners;
+  std::unique_ptr<std::uint32_t[]> Ends; // where the edges of the corners end, for vertices that are no hubs
   const std::vector<vtkMTTriangle>& Triangles;
   std::vector<unsigned char> IsDone;
   std::vector<ReverseType> Reverse;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The codec's one side: from triangles to steps and names.
+#include "vtkMTBitWriter.h"
 #include "vtkMTTriangleEdges.h"
 #include "vtkMTTriangleFront.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -10,11 +13,11 @@ using namespace vtkMTTriangleCodec;
 // How the third vertex is found when it was met before.
 Step FindStep(const Front& front, std::uint32_t vertex)
 {
-  if (front.IsAheadOpen() && front.Walk(1) == vertex)
+  if (front.IsAheadOpen() && front.GetAhead() == vertex)
   {
     return Ahead;
   }
-  if (front.IsBehindOpen() && front.Walk(2) == vertex)
+  if (front.IsBehindOpen() && front.GetBehind() == vertex)
   {
     return Behind;
   }
@@ -32,47 +35,16 @@ std::uint32_t FindWalk(const Front& front, std::uint32_t vertex)
   return walk <= MostWalk ? walk : 0;
 }
 
-//------------------------------------------------------------------------------
-class BitWriter
+// Of how many ones and a zero the code of a step is.
+std::uint32_t CountOnes(Step step, std::uint32_t situation)
 {
-public:
-  void Put(Step step, std::uint32_t situation)
+  std::uint32_t ones = 0;
+  while (Steps[situation + ones] != step)
   {
-    for (std::uint32_t at = situation; Steps[at] != step; ++at)
-    {
-      this->PutBit(true);
-    }
-    this->PutBit(false);
+    ++ones;
   }
-  void PutRice(std::uint32_t number, unsigned parameter)
-  {
-    for (std::uint32_t ones = number >> parameter; ones > 0; --ones)
-    {
-      this->PutBit(true);
-    }
-    this->PutBit(false);
-    for (unsigned i = 0; i < parameter; ++i)
-    {
-      this->PutBit((number >> i & 1) != 0);
-    }
-  }
-  void PutBit(bool bit)
-  {
-    if (this->Count % 8 == 0)
-    {
-      this->Bytes.push_back(0);
-    }
-    if (bit)
-    {
-      this->Bytes.back() |= static_cast<unsigned char>(1u << (this->Count % 8));
-    }
-    ++this->Count;
-  }
-  std::vector<unsigned char> Bytes;
-
-private:
-  std::size_t Count = 0;
-};
+  return ones;
+}
 
 //------------------------------------------------------------------------------
 // What is named, in order: how far away along the front, and how long ago a vertex was met.
@@ -93,10 +65,18 @@ unsigned ChooseNameParameter(const std::vector<Name>& names, bool ofWalks)
     }
     return bits;
   };
+  // They fall and then rise with the parameter.
   unsigned best = 0;
+  std::uint64_t fewest = count(0);
   for (unsigned parameter = 1; parameter <= MostNameBits; ++parameter)
   {
-    best = count(parameter) < count(best) ? parameter : best;
+    const std::uint64_t bits = count(parameter);
+    if (bits >= fewest)
+    {
+      break;
+    }
+    best = parameter;
+    fewest = bits;
   }
   return best;
 }
@@ -105,32 +85,42 @@ unsigned ChooseNameParameter(const std::vector<Name>& names, bool ofWalks)
 std::vector<unsigned char> WriteNames(const std::vector<Name>& names)
 {
   const unsigned parameters[2] = { ChooseNameParameter(names, false), ChooseNameParameter(names, true) };
-  BitWriter writer;
-  writer.Bytes = { static_cast<unsigned char>(parameters[0]), static_cast<unsigned char>(parameters[1]) };
+  vtkMTBitWriter writer;
+  writer.Put(parameters[0], 8);
+  writer.Put(parameters[1], 8);
   for (const Name& name : names)
   {
-    writer.PutRice(name.Number, parameters[name.IsWalk ? 1 : 0]);
+    const unsigned parameter = parameters[name.IsWalk ? 1 : 0];
+    writer.PutOnes(name.Number >> parameter);
+    writer.Put(name.Number & ((1u << parameter) - 1), parameter);
   }
-  return names.empty() ? std::vector<unsigned char>() : std::move(writer.Bytes);
+  return names.empty() ? std::vector<unsigned char>() : writer.Take();
 }
 
 //------------------------------------------------------------------------------
+// The front is of vertices in order of use, as the decoder's is.
 class Encoder
 {
 public:
-  Encoder(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
+  Encoder(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices, Decoded& out)
     : Triangles(triangles)
     , Lookup(triangles, vertices)
-    , Growing(triangles.size(), this->Work)
+    , Growing(triangles.size(), out.Work)
     , Number(vertices, None)
+    , Out(out)
   {
-    this->Result.Triangles.reserve(triangles.size());
-    this->Result.Order.reserve(triangles.size());
+    out.NumberOfTriangles = static_cast<std::uint32_t>(triangles.size());
+    out.NumberOfVertices = static_cast<std::uint32_t>(vertices);
+    EnsureSize(out.Triangles, triangles.size());
+    EnsureSize(out.Bases, vertices + 1);
+    EnsureSize(out.Work.BorderGates, 3 * triangles.size());
+    this->Result.Order.resize(triangles.size());
+    this->Result.Vertices.resize(vertices);
   }
 
   Coded Run()
   {
-    for (std::uint32_t seed = 0; this->Result.Triangles.size() < this->Triangles.size();)
+    for (std::uint32_t seed = 0; this->Done < this->Out.NumberOfTriangles;)
     {
       if (this->Growing.HasGate())
       {
@@ -143,43 +133,65 @@ public:
       }
       this->StartAt(seed);
     }
-    this->Result.Steps = std::move(this->Steps.Bytes);
+    this->Growing.SeeOpen([this](std::uint32_t from, std::uint32_t to) { this->PutBorder(from, to); });
+    FollowBorder(this->Borders, this->Out);
+    std::fill(this->Out.Bases.begin() + this->Met, this->Out.Bases.begin() + this->Out.NumberOfVertices, Basis());
+    std::uint32_t place = this->Met;
+    for (std::uint32_t v = 0; v < this->Number.size(); ++v)
+    {
+      if (this->Number[v] == None)
+      {
+        this->Result.Vertices[place++] = v;
+      }
+    }
+    this->Result.Steps = this->Steps.Take();
     this->Result.Names = WriteNames(this->Names);
     return std::move(this->Result);
   }
 
 private:
-  std::uint32_t GetDone() const { return static_cast<std::uint32_t>(this->Result.Triangles.size()); }
-
   void StartAt(std::uint32_t triangle)
   {
-    const vtkMTTriangle& t = this->Triangles[triangle];
-    for (std::uint32_t v : t)
+    vtkMTTriangle t = this->Triangles[triangle];
+    std::uint32_t before = None;
+    for (std::uint32_t& v : t)
     {
-      this->PutName(v);
+      const std::uint32_t vertex = v;
+      const bool isNew = this->Number[vertex] == None;
+      this->Names.push_back({ isNew ? 0 : this->Met - this->Number[vertex], false });
+      v = isNew ? this->Meet(vertex, { before, None, None }) : this->Number[vertex];
+      before = v;
     }
+    this->Growing.Start(t, this->Done);
+    this->Put(triangle, { t[0], t[1], t[2], None });
+  }
+
+  std::uint32_t Meet(std::uint32_t vertex, const Basis& basis)
+  {
+    this->Out.Bases[this->Met] = basis;
+    this->Result.Vertices[this->Met] = vertex;
+    this->Number[vertex] = this->Met;
+    return this->Met++;
+  }
+
+  void Put(std::uint32_t triangle, const std::array<std::uint32_t, 4>& decoded)
+  {
     this->Lookup.Finish(triangle);
-    this->Growing.Start(t, this->GetDone());
-    this->Result.Triangles.push_back(t);
-    this->Result.Order.push_back(triangle);
+    this->Out.Triangles[this->Done] = decoded;
+    this->Result.Order[this->Done] = triangle;
+    ++this->Done;
   }
 
-  // 0 is a new vertex, k the k-th last one that was met.
-  void PutName(std::uint32_t vertex)
-  {
-    const bool isNew = this->Number[vertex] == None;
-    this->Names.push_back({ isNew ? 0 : this->Met - this->Number[vertex], false });
-    this->Number[vertex] = isNew ? this->Met++ : this->Number[vertex];
-  }
+  void PutBorder(std::uint32_t from, std::uint32_t to) { this->Out.Work.BorderGates[this->Borders++] = { from, to }; }
 
-  // Returns the walk.
-  std::uint32_t PutWalk(std::uint32_t vertex)
+  // Returns the walk, or 0 when the vertex is named by how long ago it was met.
+  std::uint32_t PutWalk(std::uint32_t number)
   {
-    const std::uint32_t walk = FindWalk(this->Growing, vertex);
+    const std::uint32_t walk = FindWalk(this->Growing, number);
     this->Names.push_back({ walk, true });
     if (walk == 0)
     {
-      this->PutName(vertex);
+      this->Names.push_back({ this->Met - number, false });
     }
     return walk;
   }
@@ -189,27 +201,34 @@ private:
     const std::uint32_t from = this->Growing.GetFrom();
     const std::uint32_t to = this->Growing.GetTo();
     const std::uint32_t situation = this->Growing.GetSituation();
-    const vtkMTTriangleEdges::Corner behind = this->Lookup.Find(to, from);
+    const std::uint32_t* const vertices = this->Result.Vertices.data();
+    const vtkMTTriangleEdges::Corner behind = this->Lookup.Find(vertices[to], vertices[from]);
     if (behind.Triangle == None)
     {
-      this->Steps.Put(Nothing, situation);
+      this->Steps.PutOnes(CountOnes(Nothing, situation));
+      this->PutBorder(from, to);
       this->Growing.MakeBorder();
       return;
     }
-    const std::uint32_t third = this->Triangles[behind.Triangle][(behind.Index + 2) % 3];
-    const bool isNew = this->Number[third] == None;
-    const Step step = isNew ? New : FindStep(this->Growing, third);
-    this->Steps.Put(step, situation);
-    this->Follow(step, third);
-    this->Number[third] = isNew ? this->Met++ : this->Number[third];
-    this->Lookup.Finish(behind.Triangle);
-    this->Result.Triangles.push_back({ to, from, third });
-    this->Result.Order.push_back(behind.Triangle);
+    const std::uint32_t vertex = this->Triangles[behind.Triangle][behind.Index == 0 ? 2 : behind.Index - 1];
+    std::uint32_t third = this->Number[vertex];
+    Step step = New;
+    if (third == None)
+    {
+      third = this->Meet(vertex, { this->Growing.GetRear(), this->Growing.GetHinge(), this->Growing.GetAcross() });
+    }
+    else
+    {
+      step = FindStep(this->Growing, third);
+    }
+    this->Steps.PutOnes(CountOnes(step, situation));
+    const std::uint32_t triangle = this->Done;
+    this->Put(behind.Triangle, { to, from, third, this->Growing.GetOwner() });
+    this->Follow(step, third, triangle);
   }
 
-  void Follow(Step step, std::uint32_t third)
+  void Follow(Step step, std::uint32_t third, std::uint32_t triangle)
   {
-    const std::uint32_t triangle = this->GetDone();
     switch (step)
     {
       case Ahead:
@@ -235,20 +254,22 @@ private:
 
   const std::vector<vtkMTTriangle>& Triangles;
   vtkMTTriangleEdges Lookup;
-  Workspace Work;
   Front Growing;
-  std::vector<std::uint32_t> Number;
+  std::vector<std::uint32_t> Number; // of the caller's vertices in order of use
   std::uint32_t Met = 0;
-  BitWriter Steps;
+  std::uint32_t Done = 0;
+  std::uint32_t Borders = 0;
+  vtkMTBitWriter Steps;
   std::vector<Name> Names;
   Coded Result;
+  Decoded& Out;
 };
 }
 
 namespace vtkMTTriangleCodec
 {
-Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices)
+Coded Encode(const std::vector<vtkMTTriangle>& triangles, std::size_t vertices, Decoded& decoded)
 {
-  return Encoder(triangles, vertices).Run();
+  return Encoder(triangles, vertices, decoded).Run();
 }
 }

@@ -105,6 +105,30 @@ T* EnsureSize(std::vector<T>& values, std::size_t size)
   return values.data();
 }
 
+// The border from its gates, of which there are `count`: from each to the latest one that starts where it ends, as far
+// as none was passed before.
+inline void FollowBorder(std::uint32_t count, Decoded& mesh)
+{
+  BorderGate* const gates = mesh.Work.BorderGates.data();
+  // Only what is written here counts: a gate that is not the right one does not start at the vertex.
+  std::uint32_t* const gateFrom = EnsureSize(mesh.Work.BorderFrom, mesh.NumberOfVertices);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    gateFrom[gates[i].From] = i;
+  }
+  mesh.Border.clear();
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    std::uint32_t from = gates[i].From;
+    for (std::uint32_t gate = i; from != None && gate < count && gates[gate].From == from; gate = gateFrom[from])
+    {
+      mesh.Border.push_back(from);
+      gates[gate].From = None;
+      from = gates[gate].To;
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 // The gates that wait on one side of the present one, the nearest last.
 struct Side
@@ -174,8 +198,9 @@ public:
     return this->Past + (this->AheadSide.Last->State & AheadIsClosed) + (this->BehindSide.Last->State & BehindIsClosed);
   }
 
-  // The far end of the gate ahead; None when there is no gate.
+  // The far end of the gate ahead or behind; None when there is no gate.
   std::uint32_t GetAhead() const { return this->AheadSide.Last->Vertex; }
+  std::uint32_t GetBehind() const { return this->BehindSide.Last->Vertex; }
   // The far end of a gate: 1, 3, 5 ... of the first, the second, the third one ahead, 2, 4, 6 ... of those behind. None
   // when there is no such gate.
   std::uint32_t Walk(std::uint32_t walk) const

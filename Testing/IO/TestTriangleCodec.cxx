@@ -163,6 +163,35 @@ Result Decode(std::vector<unsigned char> steps, std::vector<unsigned char> names
   return result;
 }
 
+Triangles GetTriangles(const vtkMTTriangleCodec::Decoded& mesh)
+{
+  Triangles result;
+  for (std::uint32_t t = 0; t < mesh.NumberOfTriangles; ++t)
+  {
+    const auto& four = mesh.Triangles[t];
+    result.push_back({ four[0], four[1], four[2] });
+  }
+  return result;
+}
+
+// What the encoder says will be found, and what the decoder finds, apart from the triangles' vertices.
+void ExpectSame(const vtkMTTriangleCodec::Decoded& foreseen, const vtkMTTriangleCodec::Decoded& decoded)
+{
+  EXPECT_EQ(foreseen.NumberOfTriangles, decoded.NumberOfTriangles);
+  ASSERT_EQ(foreseen.NumberOfVertices, decoded.NumberOfVertices);
+  for (std::uint32_t t = 0; t < foreseen.NumberOfTriangles; ++t)
+  {
+    EXPECT_EQ(foreseen.Triangles[t][3], decoded.Triangles[t][3]);
+  }
+  for (std::uint32_t v = 0; v < foreseen.NumberOfVertices; ++v)
+  {
+    const vtkMTTriangleCodec::Basis& a = foreseen.Bases[v];
+    const vtkMTTriangleCodec::Basis& b = decoded.Bases[v];
+    EXPECT_TRUE(a.A == b.A && a.B == b.B && a.C == b.C);
+  }
+  EXPECT_EQ(foreseen.Border, decoded.Border);
+}
+
 Triangles Apply(const Triangles& triangles, const std::vector<std::uint32_t>& order)
 {
   Triangles result;
@@ -197,6 +226,7 @@ double CountMisses(const Triangles& triangles, std::size_t size)
 TEST(TriangleCodec, AnyTrianglesComeBackInTheOrderOfTheirCode)
 {
   vtkMTTriangleCodec::Decoded decoded; // what is left of one must not show in the next
+  vtkMTTriangleCodec::Decoded foreseen;
   double bits = 0;
   double count = 0;
   for (std::uint64_t seed = 0; seed < 1500; ++seed)
@@ -204,19 +234,27 @@ TEST(TriangleCodec, AnyTrianglesComeBackInTheOrderOfTheirCode)
     Random random(seed);
     const Triangles triangles = MakeAny(random);
     const std::size_t vertices = CountVertices(triangles) + random.Below(3);
-    const vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, vertices);
+    const vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, vertices, foreseen);
 
     Triangles expected = Apply(triangles, coded.Order);
     ASSERT_EQ(expected.size(), triangles.size());
     ASSERT_EQ(std::set<std::uint32_t>(coded.Order.begin(), coded.Order.end()).size(), triangles.size());
     std::transform(expected.begin(), expected.end(), expected.begin(), TurnLeastFirst);
-    Triangles said = coded.Triangles;
+    const Triangles inOrderOfUse = GetTriangles(foreseen);
+    Triangles said = inOrderOfUse;
+    for (vtkMTTriangle& t : said)
+    {
+      t = { coded.Vertices[t[0]], coded.Vertices[t[1]], coded.Vertices[t[2]] };
+    }
+    ASSERT_EQ(inOrderOfUse, Number(said)) << "seed " << seed;
+    ASSERT_EQ(std::set<std::uint32_t>(coded.Vertices.begin(), coded.Vertices.end()).size(), vertices);
     std::transform(said.begin(), said.end(), said.begin(), TurnLeastFirst);
     ASSERT_EQ(said, expected) << "seed " << seed;
 
     const Result result = Decode(coded.Steps, coded.Names, triangles.size(), vertices, decoded);
     ASSERT_TRUE(result.IsGood) << "seed " << seed;
-    ASSERT_EQ(result.Taken, Number(coded.Triangles)) << "seed " << seed;
+    ASSERT_EQ(result.Taken, inOrderOfUse) << "seed " << seed;
+    ExpectSame(foreseen, decoded);
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
       ASSERT_TRUE(result.Owners[t] == None || result.Owners[t] < t) << "seed " << seed;
@@ -243,7 +281,7 @@ TEST(TriangleCodec, BorderHoldsWhatHasNothingAcrossLoopByLoop)
     Remove(random, isDisk ? 0.0 : random.Uniform(0.0, 0.3), triangles);
     Shuffle(random, triangles);
     const std::size_t vertices = CountVertices(triangles);
-    const vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, vertices);
+    const vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, vertices, decoded);
     const Result result = Decode(coded.Steps, coded.Names, triangles.size(), vertices, decoded);
     ASSERT_TRUE(result.IsGood);
     std::set<std::pair<std::uint32_t, std::uint32_t>> directed;
@@ -303,10 +341,11 @@ TEST(TriangleCodec, SurfacesTakeFewBitsAndKeepToTheVertexCache)
       }
     }
     Shuffle(random, triangles);
-    const vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, CountVertices(triangles));
+    vtkMTTriangleCodec::Decoded decoded;
+    const vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, CountVertices(triangles), decoded);
     const double bits =
       8.0 * static_cast<double>(coded.Steps.size() + coded.Names.size()) / static_cast<double>(triangles.size());
-    const double misses = CountMisses(coded.Triangles, 32);
+    const double misses = CountMisses(GetTriangles(decoded), 32);
     std::printf("%zu triangles: %.2f bits each, %.3f misses each (shuffled %.3f)\n", triangles.size(), bits, misses,
       CountMisses(triangles, 32));
     EXPECT_LT(bits, 2.5);
@@ -325,7 +364,7 @@ TEST(TriangleCodec, DamagedStepsAndNamesAreRefusedOrGiveTrianglesOfTheVertices)
     const Triangles triangles =
       MakeGrid(2 + static_cast<std::uint32_t>(random.Below(6)), 6, random.Below(2) != 0, false, false);
     const std::size_t vertices = CountVertices(triangles);
-    vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, vertices);
+    vtkMTTriangleCodec::Coded coded = vtkMTTriangleCodec::Encode(triangles, vertices, decoded);
     for (std::uint64_t i = 1 + random.Below(4); i > 0; --i)
     {
       auto& bytes = random.Below(3) == 0 && !coded.Names.empty() ? coded.Names : coded.Steps;

@@ -62,6 +62,38 @@ TEST(HalfedgePairs, AreThoseOfTheDefinition)
   EXPECT_GT(pairs, 0u);
 }
 
+// The lists of edges become long here, so that all is found again from buckets; some of these are sorted.
+TEST(HalfedgePairs, AtHubsAreThoseOfTheDefinition)
+{
+  std::mt19937 random(2);
+  std::size_t pairs = 0;
+  for (int round = 0; round < 40; ++round)
+  {
+    const std::uint32_t spokes = 10 + 2 * static_cast<std::uint32_t>(round);
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t i = 0; i < spokes; ++i)
+    {
+      const std::uint32_t a = 1 + i;
+      const std::uint32_t b = 1 + (i + 1) % spokes;
+      corners.insert(corners.end(), { 0, a, b });
+      if (random() % 4 == 0) // a third triangle at an edge, a twin, or the same one again
+      {
+        const std::uint32_t kind = random() % 3;
+        const std::uint32_t c = kind == 0 ? spokes + 1 + random() % 5 : 0;
+        kind == 1 ? corners.insert(corners.end(), { c, b, a }) : corners.insert(corners.end(), { c, a, b });
+      }
+    }
+    const std::vector<std::uint32_t> opposites = vtkMTHalfedgePairs::Find(corners);
+    for (std::uint32_t h = 0; h < corners.size(); ++h)
+    {
+      EXPECT_EQ(opposites[h], FindSlowly(corners, h)) << "round " << round << ", half-edge " << h;
+      pairs += opposites[h] != vtkMTHalfedgePairs::None ? 1 : 0;
+    }
+  }
+  std::printf("%zu half-edges with an opposite\n", pairs);
+  EXPECT_GT(pairs, 0u);
+}
+
 TEST(HalfedgePairs, OfAGridAreAllButItsBorder)
 {
   constexpr std::uint32_t n = 20;
