@@ -50,6 +50,7 @@ void ComputeNormals(
 void vtkMTCollapseRegion::FillNormals()
 {
   const std::vector<std::uint32_t>& faces = this->Mesh.Faces;
+  // NOLINTNEXTLINE(modernize-make-unique): which would clear it
   this->Normals.reset(new vtkMTCollapseMesh::Place[faces.size()]);
   this->Ring.clear();
   std::remove_copy(faces.begin(), faces.end(), std::back_inserter(this->Ring), None);

@@ -28,8 +28,10 @@ void vtkMTQuadrics::AddPlane(const Vector& n, const Vector& on, Quadric& q)
 void vtkMTQuadrics::Initialize()
 {
   const vtkMTCollapseMesh& m = this->R.Mesh;
+  // NOLINTBEGIN(modernize-make-unique): which would clear them
   this->FaceQuadrics.reset(new Quadric[m.Faces.size()]);
   this->Quadrics.reset(new OfVertex[m.Outs.size()]);
+  // NOLINTEND(modernize-make-unique)
   this->List.clear();
   std::remove_copy(m.Faces.begin(), m.Faces.end(), std::back_inserter(this->List), vtkMTCollapseMesh::None);
   this->MakeFaceQuadrics();
