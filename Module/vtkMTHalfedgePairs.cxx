@@ -1,111 +1,182 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTHalfedgePairs.h"
 
+#include "vtkMTRadixSort.h"
+
 #include <algorithm>
+#include <cstring>
+#include <memory>
+#include <utility>
 
 namespace
 {
-// A half-edge in the bucket of its lower point.
-struct Entry
+constexpr std::uint32_t None = vtkMTHalfedgePairs::None;
+constexpr std::uint32_t Odd = vtkMTHalfedgePairs::Odd;
+constexpr std::uint32_t Other = vtkMTHalfedgePairs::Other;
+
+// Half-edge h is one more at the edge of half-edge first.
+void Meet(std::uint32_t first, std::uint32_t h, std::uint32_t* partners)
 {
-  std::uint32_t High; // its other point
-  std::uint32_t Halfedge;
+  const std::uint32_t partner = partners[first];
+  if (partner == None)
+  {
+    partners[first] = h;
+    partners[h] = first;
+    return;
+  }
+  partners[h] = Other;
+  if (partner < Other)
+  {
+    partners[partner] = Other;
+  }
+  partners[first] = partner == Odd ? Other : Odd;
+}
+
+// The first half-edge of every edge, chained by its lower point.
+class Chains
+{
+public:
+  Chains(std::size_t points, std::size_t halfedges, std::uint32_t* partners)
+    : First(points, None)
+    , Links(new Link[halfedges])
+    , Partners(partners)
+  {
+  }
+
+  // Gives how many others were looked at.
+  std::size_t Take(std::uint32_t h, std::uint32_t from, std::uint32_t to)
+  {
+    const std::uint32_t low = std::min(from, to);
+    const std::uint32_t high = std::max(from, to);
+    std::size_t steps = 0;
+    for (std::uint32_t g = this->First[low]; g != None; g = this->Links[g].Next)
+    {
+      if (this->Links[g].High == high)
+      {
+        Meet(g, h, this->Partners);
+        return steps;
+      }
+      ++steps;
+    }
+    this->Links[h] = { high, this->First[low] };
+    this->First[low] = h;
+    this->Partners[h] = None;
+    return steps;
+  }
+
+private:
+  struct Link
+  {
+    std::uint32_t High;
+    std::uint32_t Next;
+  };
+  std::vector<std::uint32_t> First; // by point
+  std::unique_ptr<Link[]> Links;    // of first half-edges; not cleared
+  std::uint32_t* Partners;
 };
 
-// In buckets that are larger, as at hubs, entries are sorted.
-constexpr std::ptrdiff_t Few = 24;
-
-// Runs over the half-edges with their lower and higher point.
-template <typename Use>
-void ForAll(const std::vector<std::uint32_t>& corners, const Use& use)
+// False where chains are long: where a walk takes more steps than sorting.
+bool FindByChains(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* partners)
 {
-  for (std::uint32_t h = 0; h + 2 < corners.size(); h += 3)
+  constexpr std::size_t manySteps = 16;
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  Chains chains(points, count, partners);
+  std::size_t steps = 0;
+  for (std::uint32_t h = 0; h + 2 < count && steps <= manySteps * count; h += 3)
   {
     const std::uint32_t a = corners[h];
     const std::uint32_t b = corners[h + 1];
     const std::uint32_t c = corners[h + 2];
-    use(h, std::min(a, b), std::max(a, b));
-    use(h + 1, std::min(b, c), std::max(b, c));
-    use(h + 2, std::min(c, a), std::max(c, a));
+    steps += chains.Take(h, a, b);
+    steps += chains.Take(h + 1, b, c);
+    steps += chains.Take(h + 2, c, a);
   }
+  return steps <= manySteps * count;
 }
 
-// Two half-edges, the only ones between their points.
-void Pair(const std::vector<std::uint32_t>& corners, std::uint32_t g, std::uint32_t h, std::uint32_t* opposites)
+void FindBySorting(const std::vector<std::uint32_t>& corners, std::uint32_t* partners)
 {
-  const bool isOpposite = corners[g] != corners[h];
-  if (isOpposite && corners[vtkMTHalfedgePairs::Previous(g)] != corners[vtkMTHalfedgePairs::Previous(h)])
+  using Use = std::pair<std::uint64_t, std::uint32_t>; // an edge by its points, and the half-edge
+  std::vector<Use> uses;
+  std::vector<Use> scratch;
+  uses.reserve(corners.size());
+  for (std::uint32_t h = 0; h < corners.size(); ++h)
   {
-    opposites[g] = h;
-    opposites[h] = g;
+    const auto [low, high] = std::minmax(corners[h], corners[vtkMTHalfedgePairs::Next(h)]);
+    uses.emplace_back((std::uint64_t(low) << 32) | high, h);
   }
-}
-
-// What a bucket of few holds: each entry is compared with all behind it, and taken out with those that are like it.
-void PairFew(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
-{
-  while (end - begin > 1)
+  vtkMTRadixSort::Sort(uses, scratch, [](const Use& use) { return use.first; });
+  for (std::size_t i = 0, first = 0; i < uses.size(); ++i)
   {
-    const Entry first = *begin++;
-    std::uint32_t partner = vtkMTHalfedgePairs::None;
-    std::size_t others = 0;
-    for (Entry* entry = begin; entry < end;)
+    const bool isFirst = i == 0 || uses[i].first != uses[first].first;
+    first = isFirst ? i : first;
+    if (isFirst)
     {
-      if (entry->High != first.High)
-      {
-        ++entry;
-        continue;
-      }
-      partner = entry->Halfedge;
-      ++others;
-      *entry = *--end;
+      partners[uses[i].second] = None;
     }
-    if (others == 1)
+    else
     {
-      Pair(corners, first.Halfedge, partner, opposites);
+      Meet(uses[first].second, uses[i].second, partners);
     }
   }
 }
 
-void PairMany(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
+std::vector<std::uint32_t> FindPartners(const std::vector<std::uint32_t>& corners, std::size_t points)
 {
-  std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.High < b.High; });
-  while (begin < end)
+  std::vector<std::uint32_t> partners(corners.size());
+  if (!FindByChains(corners, points, partners.data()))
   {
-    const Entry* last = std::find_if(begin, end, [&](const Entry& entry) { return entry.High != begin->High; });
-    if (last - begin == 2)
-    {
-      Pair(corners, begin[0].Halfedge, begin[1].Halfedge, opposites);
-    }
-    begin += last - begin;
+    FindBySorting(corners, partners.data());
   }
+  return partners;
 }
 }
 
 //------------------------------------------------------------------------------
+vtkMTHalfedgePairs::vtkMTHalfedgePairs(const vtkMTPatch& mesh)
+{
+  this->Corners.resize(3 * mesh.Triangles.size());
+  std::uint32_t* corner = this->Corners.data();
+  for (const vtkMTTriangle& wedges : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      *corner++ = mesh.WedgePoints.empty() ? wedges[c] : mesh.WedgePoints[wedges[c]];
+    }
+  }
+  this->Partners = FindPartners(this->Corners, mesh.Points.size());
+}
+
+vtkMTHalfedgePairs::vtkMTHalfedgePairs(const std::vector<vtkMTTriangle>& triangles, std::size_t points)
+  : Corners(3 * triangles.size())
+{
+  static_assert(sizeof(vtkMTTriangle) == 3 * sizeof(std::uint32_t), "triangles must be their corners");
+  if (!triangles.empty())
+  {
+    std::memcpy(this->Corners.data(), triangles.data(), triangles.size() * sizeof(vtkMTTriangle));
+  }
+  this->Partners = FindPartners(this->Corners, points);
+}
+
 std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
 {
-  std::vector<std::uint32_t> opposites(corners.size(), None);
   if (corners.empty())
   {
-    return opposites;
+    return {};
   }
-  std::vector<std::uint32_t> next(*std::max_element(corners.begin(), corners.end()) + std::size_t(2), 0);
-  ForAll(corners, [&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++next[low + 1]; });
-  for (std::size_t p = 1; p < next.size(); ++p)
+  std::vector<std::uint32_t> opposites =
+    FindPartners(corners, *std::max_element(corners.begin(), corners.end()) + std::size_t(1));
+  for (std::uint32_t h = 0; h < opposites.size(); ++h)
   {
-    next[p] += next[p - 1];
-  }
-  std::vector<Entry> entries(corners.size());
-  ForAll(corners, [&](std::uint32_t h, std::uint32_t low, std::uint32_t high) { entries[next[low]++] = { high, h }; });
-  std::uint32_t begin = 0; // of each bucket, whose end is where the next entry would have gone
-  for (std::size_t p = 0; p + 1 < next.size(); ++p)
-  {
-    Entry* const first = entries.data() + begin;
-    Entry* const last = entries.data() + next[p];
-    last - first > Few ? PairMany(corners, first, last, opposites.data())
-                       : PairFew(corners, first, last, opposites.data());
-    begin = next[p];
+    const std::uint32_t partner = opposites[h];
+    if (partner >= Other)
+    {
+      opposites[h] = None;
+    }
+    else if (h < partner && !AreOpposite(corners, h, partner))
+    {
+      opposites[h] = opposites[partner] = None;
+    }
   }
   return opposites;
 }

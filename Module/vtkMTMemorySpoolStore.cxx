@@ -114,6 +114,8 @@ public:
     return this->Bytes->Find(offset, size);
   }
 
+  bool IsInMemory() const override { return true; }
+
   std::uint64_t GetSize() const override { return this->Bytes->Size; }
 
 private:

@@ -32,6 +32,8 @@ public:
   /// other.
   virtual const unsigned char* Find(std::uint64_t, std::size_t) const { return nullptr; }
   virtual std::uint64_t GetSize() const = 0;
+  /// Whether its bytes lie in memory, so that reading a few of them anywhere costs little.
+  virtual bool IsInMemory() const { return false; }
 };
 
 #endif

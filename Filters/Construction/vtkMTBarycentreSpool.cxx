@@ -8,7 +8,9 @@
 
 namespace
 {
-constexpr std::size_t BlockSize = 65536;
+constexpr std::size_t BlockSize = 8192;
+constexpr std::size_t Many = 1024; // are not copied into the buffer
+constexpr std::size_t BlocksPerQuestion = 8;
 }
 
 vtkMTBarycentreSpool::vtkMTBarycentreSpool() = default;
@@ -42,14 +44,20 @@ bool vtkMTBarycentreSpool::Begin(vtkMTSpoolStore& store, const std::string& name
 
 bool vtkMTBarycentreSpool::Put(const std::vector<Barycentre>& barycentres, std::string& error)
 {
-  this->Buffer.insert(this->Buffer.end(), barycentres.begin(), barycentres.end());
-  if (this->Buffer.size() < BlockSize)
+  const bool areMany = barycentres.size() >= Many;
+  if (!areMany && this->Buffer.size() < BlockSize)
   {
+    this->Buffer.insert(this->Buffer.end(), barycentres.begin(), barycentres.end());
     return true;
   }
-  const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
+  const bool flushed = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
   this->Buffer.clear();
-  return done;
+  if (areMany)
+  {
+    return flushed && this->Spool->Append(barycentres.data(), barycentres.size() * sizeof(Barycentre), error);
+  }
+  this->Buffer = barycentres;
+  return flushed;
 }
 
 bool vtkMTBarycentreSpool::Seal(std::string& error)
@@ -86,20 +94,27 @@ bool vtkMTBarycentreSpool::Scan(const Block& block)
 {
   this->Error.clear();
   const std::size_t count = this->GetNumberOfTriangles();
-  std::vector<Barycentre> barycentres(std::min(BlockSize, count));
+  std::vector<Barycentre> copies;
   for (std::size_t begin = 0; begin < count; begin += BlockSize)
   {
     const std::size_t size = std::min(BlockSize, count - begin);
-    if (this->Continue && !this->Continue())
+    if (this->Continue && begin % (BlocksPerQuestion * BlockSize) == 0 && !this->Continue())
     {
       this->Error = "aborted";
       return false;
     }
-    if (!this->Spool->Read(begin * sizeof(Barycentre), size * sizeof(Barycentre), barycentres.data(), this->Error))
+    const std::uint64_t offset = begin * std::uint64_t(sizeof(Barycentre));
+    if (const unsigned char* bytes = this->Spool->Find(offset, size * sizeof(Barycentre)))
+    {
+      block(reinterpret_cast<const Barycentre*>(bytes), size); // pieces begin where any type may
+      continue;
+    }
+    copies.resize(size);
+    if (!this->Spool->Read(offset, size * sizeof(Barycentre), copies.data(), this->Error))
     {
       return false;
     }
-    block(barycentres.data(), size);
+    block(copies.data(), size);
   }
   return true;
 }

@@ -3,7 +3,8 @@
  * @class vtkMTBarycentreSpool
  * @brief the barycentres of a level's mesh, in a spool, for the sequential scans that place seeds (BMT 4.2.2)
  *
- * 24 bytes per triangle, written and read in blocks of 65536; nothing but one block is in memory.
+ * 24 bytes per triangle, written and read in blocks of 8192; nothing but one block is in memory, and one that lies in
+ * memory already is read there.
  */
 #ifndef vtkMTBarycentreSpool_h
 #define vtkMTBarycentreSpool_h
@@ -40,7 +41,7 @@ public:
   void Remove();
   ///@}
 
-  /// Asked before every block; false ends the scan as a failure. Empty: always goes on.
+  /// Asked before every few blocks; false ends the scan as a failure. Empty: always goes on.
   void SetContinue(std::function<bool()> function) { this->Continue = std::move(function); }
 
   std::size_t GetNumberOfTriangles() const override;

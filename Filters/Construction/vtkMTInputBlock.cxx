@@ -4,30 +4,83 @@
 #include "vtkMTBytes.h"
 #include "vtkMTRadixSort.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
-void vtkMTInputBlock::FindPoints()
+namespace
+{
+// Where the points of a block lie close together in the input: a table of all that may be among them.
+void FindPointsByTable(std::uint32_t least, std::size_t range, vtkMTInputBlock& block)
+{
+  std::vector<std::uint32_t> places(range, 0);
+  for (const vtkMTInputBlock::Triangle& t : block.Triangles)
+  {
+    places[t[0] - least] = places[t[1] - least] = places[t[2] - least] = 1;
+  }
+  std::uint32_t used = 0;
+  block.Points.resize(3 * block.Triangles.size() + 1); // one more, as the last may be written in vain
+  for (std::size_t p = 0; p < range; ++p)
+  {
+    block.Points[used] = static_cast<std::uint32_t>(least + p);
+    const std::uint32_t isUsed = places[p];
+    places[p] = used;
+    used += isUsed;
+  }
+  block.Points.resize(used);
+  for (vtkMTInputBlock::Triangle& t : block.Triangles)
+  {
+    t = { places[t[0] - least], places[t[1] - least], places[t[2] - least] };
+  }
+}
+
+void FindPointsBySorting(vtkMTInputBlock& block)
 {
   // Corners in order of their points: point above, corner below.
-  std::vector<std::uint64_t> corners(3 * this->Triangles.size());
+  std::vector<std::uint64_t> corners(3 * block.Triangles.size());
   std::vector<std::uint64_t> scratch;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    corners[i] = (std::uint64_t(this->Triangles[i / 3][i % 3]) << 32) | i;
+    corners[i] = (std::uint64_t(block.Triangles[i / 3][i % 3]) << 32) | i;
   }
   // Corners are in order already: only the points' digits need sorting.
   vtkMTRadixSort::Sort(corners, scratch, [](std::uint64_t corner) { return corner >> 32; });
-  this->Points.clear();
+  block.Points.clear();
   for (const std::uint64_t corner : corners)
   {
     const std::uint32_t point = static_cast<std::uint32_t>(corner >> 32);
-    if (this->Points.empty() || this->Points.back() != point)
+    if (block.Points.empty() || block.Points.back() != point)
     {
-      this->Points.push_back(point);
+      block.Points.push_back(point);
     }
     const std::size_t i = static_cast<std::uint32_t>(corner);
-    this->Triangles[i / 3][i % 3] = static_cast<std::uint32_t>(this->Points.size() - 1);
+    block.Triangles[i / 3][i % 3] = static_cast<std::uint32_t>(block.Points.size() - 1);
+  }
+}
+}
+
+void vtkMTInputBlock::FindPoints()
+{
+  this->Points.clear();
+  if (this->Triangles.empty())
+  {
+    return;
+  }
+  std::uint32_t least = ~std::uint32_t(0);
+  std::uint32_t largest = 0;
+  for (const Triangle& t : this->Triangles)
+  {
+    least = std::min(least, std::min(t[0], std::min(t[1], t[2])));
+    largest = std::max(largest, std::max(t[0], std::max(t[1], t[2])));
+  }
+  const std::size_t range = std::size_t(largest) - least + 1;
+  if (range <= 3 * this->Triangles.size())
+  {
+    FindPointsByTable(least, range, *this);
+  }
+  else
+  {
+    FindPointsBySorting(*this);
   }
 }
 

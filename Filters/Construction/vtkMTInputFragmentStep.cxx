@@ -45,8 +45,7 @@ bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
   vtkMTSequenceState& state = this->State;
-  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(),
-    input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(),
+  vtkMTInputFragment::Layout layout{ input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(),
     this->Settings.InputIds != vtkMTBuildSettings::Ids::None, this->Settings.InputPointIds, this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
   {

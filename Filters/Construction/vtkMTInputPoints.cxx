@@ -73,6 +73,29 @@ Place vtkMTInputPoints::GetExactPlace(const unsigned char* record)
   return place;
 }
 
+bool vtkMTInputPoints::IsInMemory() const
+{
+  return this->Spool && this->Spool->IsInMemory();
+}
+
+bool vtkMTInputPoints::LookUp(
+  const std::vector<std::uint32_t>& points, std::vector<Place>& places, std::string& error) const
+{
+  Place place;
+  places.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const std::uint64_t offset = points[i] * std::uint64_t(this->RecordSize);
+    const unsigned char* bytes = this->Spool->Find(offset, sizeof(Place)); // where it is in one piece
+    if (!bytes && !this->Spool->Read(offset, sizeof(Place), place.data(), error))
+    {
+      return false;
+    }
+    places[i] = GetPlace(bytes ? bytes : reinterpret_cast<const unsigned char*>(place.data()));
+  }
+  return true;
+}
+
 bool vtkMTInputPoints::Answer(const Requests& requests, std::vector<PlaceRecord>& places, std::string& error) const
 {
   const std::vector<std::uint64_t>& keys = requests.Keys;

@@ -18,6 +18,7 @@
 #include "vtkMTRecordSort.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -46,11 +47,13 @@ public:
     std::uint32_t IsShared;
   };
 
-  /// One region's records, one behind the other.
+  /// What one region has, and the values of all of them, one behind the other.
   struct Region
   {
-    std::vector<unsigned char> Triangles;
-    std::vector<unsigned char> Points;
+    std::vector<Triangle> Triangles;
+    std::vector<Point> Points;
+    std::vector<unsigned char> TriangleValues;
+    std::vector<unsigned char> PointValues;
   };
 
   /// exact: null, or the array that is to be made behind the points' values. memory: bytes, for all sorts together.
@@ -58,13 +61,12 @@ public:
     const vtkMTBuildSettings& settings, const vtkMTInputSpool& input, const vtkMTArrayInfo* exact, std::size_t memory);
   ~vtkMTInputRegions();
 
-  std::size_t GetTriangleSize() const { return this->TriangleSize; } ///< bytes of a triangle with its values
-  std::size_t GetPointSize() const { return this->PointSize; }
-
-  /// A block's records: triangles, their numbers counted within the block, and pairs of point and region.
+  /// A block's records: triangles, their numbers counted within the block, and pairs of point and region, some of them
+  /// several times.
   struct BlockRecords
   {
-    std::vector<unsigned char> Triangles;
+    std::unique_ptr<unsigned char[]> Triangles;
+    std::size_t Count = 0; // of triangles
     std::vector<std::uint64_t> Requests;
   };
   /// May be called by any thread. regions: of the block's triangles.

@@ -77,11 +77,19 @@ bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
   {
     return this->Fail(stream.GetError());
   }
+  if (!this->LoadPoints(stream))
+  {
+    return false;
+  }
+  if (this->Points.IsInMemory())
+  {
+    return this->LoadChecked(stream, visit);
+  }
   const std::size_t memory = this->Settings.SortMemory / 2;
   vtkMTRecordSort places(*this->Settings.Store, sizeof(PlaceRecord), memory);
   {
     vtkMTRecordSort requests(*this->Settings.Store, sizeof(std::uint64_t), memory);
-    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests) || !this->FindPlaces(requests, places))
+    if (!this->LoadRaw(stream, requests) || !this->FindPlaces(requests, places))
     {
       return false;
     }
@@ -132,48 +140,88 @@ struct vtkMTInputSpool::Reading
 };
 
 // A block that has been read: first its triangles, then their points and the block's bytes.
-struct vtkMTInputSpool::RawBlock
+struct vtkMTInputSpool::BlockWork
 {
   vtkMTInputBlock Block;
   std::vector<unsigned char> Bytes;
+  std::map<std::string, std::int64_t> Report;
 };
 
-bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort& requests)
+// Reads all blocks; work by several threads, take in order.
+bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSpool& blocks, const char* name,
+  const std::function<bool(BlockWork&, std::string&)>& work, const std::function<bool(std::size_t, BlockWork&)>& take)
 {
   // Blocks are numbered as they come: as many keys as there can be, and no fewer than there are.
   const std::uint64_t most = stream.GetNumberOfTriangles() / vtkMTInputBlock::Size + 1;
-  if (!this->RawBlocks.Begin(*this->Settings.Store, "input-triangles", static_cast<std::size_t>(most), this->Error))
+  if (!blocks.Begin(*this->Settings.Store, name, static_cast<std::size_t>(most), this->Error))
   {
     return false;
   }
   // The stream belongs to this thread: a slot is filled before the work that finds it, and as soon as it is free again.
   Reading reading{ stream, {}, 0, false };
   const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
-  for (RawBlock& slot : slots)
+  std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
+  for (BlockWork& slot : slots)
   {
     if (!this->FillBlock(reading, slot.Block))
     {
       return false;
     }
   }
-  const auto work = [&](std::size_t, std::size_t slot, std::string&)
+  const auto workOnSlot = [&](std::size_t, std::size_t slot, std::string& error)
   {
     const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
     slots[slot].Block.FindPoints();
-    slots[slot].Block.Encode(slots[slot].Bytes);
-    slots[slot].Block.Columns.clear(); // values are in memory once
-    return true;
+    return work(slots[slot], error);
   };
-  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
+  const auto takeSlot = [&](std::size_t index, std::size_t slot, std::string&)
   {
-    const bool put = this->PutBlock(index, slots[slot], requests);
+    const bool taken = take(index, slots[slot]);
     vtkMTRelease(slots[slot].Bytes);
-    return put && this->FillBlock(reading, slots[slot].Block);
+    slots[slot].Report.clear();
+    return taken && this->FillBlock(reading, slots[slot].Block);
   };
-  return this->Run(static_cast<std::size_t>(most), {}, {}, work, take) &&
-    (reading.IsAtEnd || this->Fail("the input has more triangles than it was to have")) &&
-    this->RawBlocks.Seal(this->Error);
+  return this->Run(static_cast<std::size_t>(most), {}, {}, workOnSlot, takeSlot) &&
+    (reading.IsAtEnd || this->Fail("the input has more triangles than it was to have")) && blocks.Seal(this->Error);
+}
+
+// Without places, which other blocks may have to be asked for.
+bool vtkMTInputSpool::LoadRaw(vtkMTTriangleStream& stream, vtkMTRecordSort& requests)
+{
+  return this->LoadTriangles(
+    stream, this->RawBlocks, "input-triangles",
+    [](BlockWork& raw, std::string&)
+    {
+      raw.Block.Encode(raw.Bytes);
+      raw.Block.Columns.clear(); // values are in memory once
+      return true;
+    },
+    [&](std::size_t index, BlockWork& raw) { return this->PutRaw(index, raw, requests); });
+}
+
+// Where places lie in memory blocks are checked at once, and look them up again when they are read.
+bool vtkMTInputSpool::LoadChecked(vtkMTTriangleStream& stream, const Visit& visit)
+{
+  this->Uses.assign(static_cast<std::size_t>(this->Points.GetNumberOfPoints()), 0);
+  return this->LoadTriangles(
+    stream, this->Blocks, "checked-triangles",
+    [&](BlockWork& checked, std::string& error)
+    {
+      if (!this->Points.LookUp(checked.Block.Points, checked.Block.Places, error))
+      {
+        return false;
+      }
+      this->Check(checked);
+      return true;
+    },
+    [&](std::size_t index, BlockWork& checked)
+    {
+      for (const std::uint32_t point : checked.Block.Points)
+      {
+        this->Uses[point] = this->Uses[point] == 0 ? 1 : 2;
+      }
+      return checked.Bytes.empty() || (this->PutChecked(index, checked) && visit(checked.Block));
+    });
 }
 
 // Empty when there are no more triangles.
@@ -203,8 +251,8 @@ bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
       return false;
     }
   }
-  this->Triangles += block.Triangles.size();
-  return this->Triangles <= LargestIndex ||
+  this->ReadTriangles += block.Triangles.size();
+  return this->ReadTriangles <= LargestIndex ||
     this->Fail("the input has more triangles than the 4294967294 that are supported");
 }
 
@@ -228,7 +276,7 @@ void vtkMTInputSpool::AddTriangle(const Reading& reading, vtkMTInputBlock& block
   }
 }
 
-bool vtkMTInputSpool::PutBlock(std::size_t number, const RawBlock& raw, vtkMTRecordSort& requests)
+bool vtkMTInputSpool::PutRaw(std::size_t number, const BlockWork& raw, vtkMTRecordSort& requests)
 {
   if (raw.Block.Triangles.empty())
   {
@@ -297,13 +345,6 @@ bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& pla
 
 //------------------------------------------------------------------------------
 // Checks
-struct vtkMTInputSpool::CheckedBlock
-{
-  vtkMTInputBlock Block;
-  std::vector<unsigned char> Bytes;
-  std::map<std::string, std::int64_t> Report;
-};
-
 bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
 {
   const std::size_t count = this->RawBlocks.GetNumberOfKeys();
@@ -311,10 +352,8 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
   {
     return false;
   }
-  const std::uint64_t all = this->Triangles;
-  this->Triangles = 0;
   const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
+  std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
   const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
     [this](std::size_t index) { return MemoryPerByteOfRaw * this->RawBlocks.GetSize(index); } };
   const auto fetch = [&](std::size_t index, std::size_t slot, std::string& error)
@@ -331,11 +370,11 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
   const auto take = [&](std::size_t index, std::size_t slot, std::string&)
   {
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    CheckedBlock& checked = slots[slot];
+    BlockWork& checked = slots[slot];
     const bool taken = checked.Bytes.empty() ||
       (this->PutChecked(index, checked) && visit(checked.Block) &&
-        this->Continue("checking triangles", this->Triangles, all));
-    checked = CheckedBlock();
+        this->Continue("checking triangles", this->Triangles, this->ReadTriangles));
+    checked = BlockWork();
     return taken;
   };
   const bool done = this->Run(count, budget, fetch, work, take);
@@ -345,7 +384,7 @@ bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
 
 // The block with the places of its points, which are in the blocks' order.
 bool vtkMTInputSpool::FetchBlock(
-  std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const
+  std::size_t index, vtkMTRecordSort& places, BlockWork& checked, std::string& error) const
 {
   std::vector<vtkMTBytes::Record> records;
   vtkMTInputBlock& block = checked.Block;
@@ -376,7 +415,7 @@ bool vtkMTInputSpool::FetchBlock(
   return true;
 }
 
-void vtkMTInputSpool::Check(CheckedBlock& checked) const
+void vtkMTInputSpool::Check(BlockWork& checked) const
 {
   vtkMTInputBlock& block = checked.Block;
   if (block.Points.empty())
@@ -393,10 +432,19 @@ void vtkMTInputSpool::Check(CheckedBlock& checked) const
       }
       return !fault;
     });
+  std::vector<vtkMTInputBlock::Place> lookedUp;
+  if (this->Points.IsInMemory())
+  {
+    lookedUp.swap(block.Places);
+  }
   block.Encode(checked.Bytes);
+  if (this->Points.IsInMemory())
+  {
+    lookedUp.swap(block.Places);
+  }
 }
 
-bool vtkMTInputSpool::PutChecked(std::size_t index, const CheckedBlock& checked)
+bool vtkMTInputSpool::PutChecked(std::size_t index, const BlockWork& checked)
 {
   for (const auto& [reason, triangles] : checked.Report)
   {
@@ -423,6 +471,18 @@ bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block, std::
   if (!this->Blocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))
   {
     return false;
+  }
+  if (!this->Uses.empty())
+  {
+    block.IsOpen.resize(block.Points.size());
+    for (std::size_t p = 0; p < block.Points.size(); ++p)
+    {
+      block.IsOpen[p] = this->Uses[block.Points[p]] > 1 ? 1 : 0;
+    }
+    if (!this->Points.LookUp(block.Points, block.Places, error))
+    {
+      return false;
+    }
   }
   if (this->IsLeftOut)
   {

@@ -5,7 +5,8 @@
  *
  * Load reads the stream once. The pairs (point, block) are then sorted by point and walked beside the points, which
  * gives every block the places of its points and tells which of them several blocks use, whatever the order of the
- * input. Triangles that cannot be part of a surface are dropped and counted, as vtkMTInputMesh says.
+ * input. Where points lie in memory their places are looked up instead, and uses are counted. Triangles that cannot be
+ * part of a surface are dropped and counted, as vtkMTInputMesh says.
  *
  * Threads: the calling one reads the stream, a few blocks ahead, and writes; others do what is between.
  */
@@ -70,22 +71,25 @@ public:
 
 private:
   struct Reading;
-  struct RawBlock;
+  struct BlockWork;
   struct AnsweredRequests;
-  struct CheckedBlock;
 
   bool Fail(const std::string& error);
   bool Continue(const char* step, std::uint64_t done, std::uint64_t all);
   bool LoadPoints(vtkMTTriangleStream& stream);
-  bool LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort& requests);
+  bool LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSpool& blocks, const char* name,
+    const std::function<bool(BlockWork&, std::string&)>& work,
+    const std::function<bool(std::size_t, BlockWork&)>& take);
+  bool LoadRaw(vtkMTTriangleStream& stream, vtkMTRecordSort& requests);
+  bool LoadChecked(vtkMTTriangleStream& stream, const Visit& visit);
   bool FillBlock(Reading& reading, vtkMTInputBlock& block);
   void AddTriangle(const Reading& reading, vtkMTInputBlock& block);
-  bool PutBlock(std::size_t number, const RawBlock& raw, vtkMTRecordSort& requests);
+  bool PutRaw(std::size_t number, const BlockWork& raw, vtkMTRecordSort& requests);
   bool FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& places);
   bool CheckBlocks(vtkMTRecordSort& places, const Visit& visit);
-  bool FetchBlock(std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const;
-  void Check(CheckedBlock& checked) const;
-  bool PutChecked(std::size_t index, const CheckedBlock& checked);
+  bool FetchBlock(std::size_t index, vtkMTRecordSort& places, BlockWork& checked, std::string& error) const;
+  void Check(BlockWork& checked) const;
+  bool PutChecked(std::size_t index, const BlockWork& checked);
   bool Run(std::size_t count, const vtkMTOrderedWork::Budget& budget, const vtkMTOrderedWork::Work& fetch,
     const vtkMTOrderedWork::Work& work, const vtkMTOrderedWork::Work& take);
 
@@ -93,10 +97,12 @@ private:
   std::string Error;
   bool Aborted = false;
   vtkMTInputPoints Points;
-  vtkMTRecordSpool RawBlocks; // by number
-  vtkMTRecordSpool Blocks;    // the same, checked and with places
+  vtkMTRecordSpool RawBlocks;      // by number
+  vtkMTRecordSpool Blocks;         // the same, checked and with places, unless these are looked up
+  std::vector<unsigned char> Uses; // of points that are in memory: in how many blocks, 2: or in more
   std::vector<std::size_t> CellTupleSizes;
-  std::uint64_t Triangles = 0;
+  std::uint64_t ReadTriangles = 0;
+  std::uint64_t Triangles = 0; // that are kept
   std::uint64_t InputTriangles = 0;
   std::map<std::string, std::int64_t> Report;
   Test IsLeftOut;

@@ -157,9 +157,10 @@ std::vector<std::uint64_t> MakeIds(const vtkMTPatch& fragment, const Groups& gro
       isNew[p] = 0;
     }
   };
+  vtkMTBorderOrder borders(fragment);
   for (std::size_t g = 0; g < groups.Regions.size(); ++g)
   {
-    const std::vector<std::uint32_t> border = vtkMTBorderOrder::Find(fragment, groups.GetTriangles(g));
+    const std::vector<std::uint32_t> border = borders.Find(groups.GetTriangles(g));
     std::for_each(border.begin(), border.end(), number);
   }
   for (std::uint32_t p = 0; p < ids.size(); ++p)
