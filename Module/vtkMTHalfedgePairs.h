@@ -49,7 +49,10 @@ struct VTKMTCORE_EXPORT vtkMTHalfedgePairs
 private:
   static bool AreOpposite(const std::vector<std::uint32_t>& corners, std::uint32_t g, std::uint32_t h)
   {
-    return corners[g] != corners[h] && corners[Previous(g)] != corners[Previous(h)];
+    // Edges with the same two points: their third ones differ as the sums of all three do.
+    const std::uint32_t* s = corners.data() + g / 3 * 3;
+    const std::uint32_t* t = corners.data() + h / 3 * 3;
+    return corners[g] != corners[h] && s[0] + s[1] + s[2] != t[0] + t[1] + t[2];
   }
 };
 

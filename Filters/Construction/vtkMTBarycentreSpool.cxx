@@ -11,6 +11,13 @@ namespace
 constexpr std::size_t BlockSize = 8192;
 constexpr std::size_t Many = 1024; // are not copied into the buffer
 constexpr std::size_t BlocksPerQuestion = 8;
+
+vtkMTBarycentreSpool::Barycentre GetBarycentre(const vtkMTPoint& a, const vtkMTPoint& b, const vtkMTPoint& c)
+{
+  // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
+  const auto third = [&](int i) { return static_cast<double>(std::int64_t(a[i]) + b[i] + c[i]) / 3.0; };
+  return { third(0), third(1), third(2) };
+}
 }
 
 vtkMTBarycentreSpool::vtkMTBarycentreSpool() = default;
@@ -23,14 +30,20 @@ std::vector<vtkMTBarycentreSpool::Barycentre> vtkMTBarycentreSpool::GetBarycentr
   for (std::size_t t = 0; t < result.size(); ++t)
   {
     const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    for (int i = 0; i < 3; ++i)
-    {
-      // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
-      const std::int64_t sum = std::int64_t(mesh.Points[p[0]][i]) + mesh.Points[p[1]][i] + mesh.Points[p[2]][i];
-      result[t][i] = static_cast<double>(sum) / 3.0;
-    }
+    result[t] = GetBarycentre(mesh.Points[p[0]], mesh.Points[p[1]], mesh.Points[p[2]]);
   }
   return result;
+}
+
+void vtkMTBarycentreSpool::AppendBarycentres(const vtkMTPatchRecord::Shape& mesh, std::vector<Barycentre>& barycentres)
+{
+  const auto getPoint = [&mesh](std::uint32_t wedge)
+  { return mesh.Points[mesh.WedgePoints.empty() ? wedge : mesh.WedgePoints[wedge]]; };
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    const vtkMTTriangle w = mesh.Triangles[t];
+    barycentres.push_back(GetBarycentre(getPoint(w[0]), getPoint(w[1]), getPoint(w[2])));
+  }
 }
 
 bool vtkMTBarycentreSpool::Begin(vtkMTSpoolStore& store, const std::string& name, std::string& error)
@@ -65,15 +78,6 @@ bool vtkMTBarycentreSpool::Seal(std::string& error)
   const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
   vtkMTRelease(this->Buffer);
   return done;
-}
-
-bool vtkMTBarycentreSpool::Open(
-  vtkMTSpoolStore& store, const std::string& name, std::uint64_t triangles, std::string& error)
-{
-  this->Store = &store;
-  this->Name = name;
-  this->Spool = store.Open(name, triangles * sizeof(Barycentre), error);
-  return this->Spool != nullptr;
 }
 
 void vtkMTBarycentreSpool::Remove()

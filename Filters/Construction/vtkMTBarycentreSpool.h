@@ -11,6 +11,7 @@
 
 #include "vtkMTConstructionModule.h" // For export macro
 #include "vtkMTPartition.h"
+#include "vtkMTPatchRecord.h"
 #include "vtkMTSpoolStore.h"
 
 #include <array>
@@ -28,6 +29,8 @@ public:
 
   /// Of all triangles of the mesh, in their order, in steps of the lattice.
   static std::vector<Barycentre> GetBarycentres(const vtkMTPatch& mesh);
+  /// And of a record's, behind others.
+  static void AppendBarycentres(const vtkMTPatchRecord::Shape& mesh, std::vector<Barycentre>& barycentres);
 
   vtkMTBarycentreSpool();
   ~vtkMTBarycentreSpool() override;
@@ -37,7 +40,6 @@ public:
   bool Begin(vtkMTSpoolStore& store, const std::string& name, std::string& error);
   bool Put(const std::vector<Barycentre>& barycentres, std::string& error);
   bool Seal(std::string& error);
-  bool Open(vtkMTSpoolStore& store, const std::string& name, std::uint64_t triangles, std::string& error);
   void Remove();
   ///@}
 

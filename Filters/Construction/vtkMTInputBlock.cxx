@@ -124,26 +124,42 @@ void vtkMTInputBlock::Keep(const std::function<bool(const Triangle&)>& isKept)
     {
       continue;
     }
+    if (kept == t) // nothing was dropped yet
+    {
+      ++kept;
+      continue;
+    }
     this->Triangles[kept] = this->Triangles[t];
     this->CellIds[kept] = this->CellIds[t];
-    for (std::size_t c = 0; c < this->Columns.size() && kept != t; ++c)
+    for (std::size_t c = 0; c < this->Columns.size(); ++c)
     {
       const std::size_t size = this->Columns[c].size() / count;
       std::memcpy(this->Columns[c].data() + kept * size, this->Columns[c].data() + t * size, size);
     }
     ++kept;
   }
+  if (kept == count)
+  {
+    return;
+  }
   this->Triangles.resize(kept);
   this->CellIds.resize(kept);
   for (vtkMTColumn& column : this->Columns)
   {
-    column.resize(count > 0 ? column.size() / count * kept : 0);
+    column.resize(column.size() / count * kept);
   }
 }
 
 void vtkMTInputBlock::Encode(std::vector<unsigned char>& bytes) const
 {
+  std::size_t size = this->Points.size() * (sizeof(std::uint32_t) + sizeof(Place) + 1) +
+    this->Triangles.size() * (sizeof(Triangle) + sizeof(std::int64_t)) + 256;
+  for (const vtkMTColumn& column : this->Columns)
+  {
+    size += column.size() + 2 * vtkMTBytes::Alignment;
+  }
   bytes.clear();
+  bytes.reserve(size);
   vtkMTBytes::Writer writer(bytes);
   writer.PutList(this->Points);
   writer.PutList(this->Places);

@@ -253,6 +253,7 @@ private:
   struct BlockWork
   {
     vtkMTInputBlock Block;
+    vtkMTPatch Mesh; // points and triangles on the lattice
     std::vector<Barycentre> Barycentres;
     vtkMTPointWelding::BlockEdges Edges;
     double LargestShift2 = 0.0;
@@ -277,7 +278,7 @@ private:
         {
           return false;
         }
-        slots[slot].Barycentres = this->GetBarycentres(slots[slot].Block);
+        this->FindBarycentres(slots[slot]);
         work(slots[slot]);
         return true;
       },
@@ -342,7 +343,7 @@ private:
       input,
       [&](BlockWork& work)
       {
-        work.LargestShift2 = GetLargestShift2(lattice, work.Block);
+        work.LargestShift2 = GetLargestShift2(lattice, work);
         const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
         work.Edges = vtkMTPointWelding::FindEdges(work.Block);
       },
@@ -364,20 +365,20 @@ private:
     return put && (stitch.Finish() || this->Fail(stitch.GetError()));
   }
 
-  static double GetLargestShift2(const vtkMTLattice& lattice, const vtkMTInputBlock& block)
+  static double GetLargestShift2(const vtkMTLattice& lattice, const BlockWork& work)
   {
-    const std::vector<unsigned char> used = block.GetUsed();
+    const std::vector<unsigned char> used = work.Block.GetUsed();
     double largest = 0.0;
     for (std::size_t p = 0; p < used.size(); ++p)
     {
-      largest = used[p] ? std::max(largest, GetShift2(lattice, block.Places[p])) : largest;
+      largest = used[p] ? std::max(largest, GetShift2(lattice, work.Block.Places[p], work.Mesh.Points[p])) : largest;
     }
     return largest;
   }
 
-  static double GetShift2(const vtkMTLattice& lattice, const vtkMTInputBlock::Place& place)
+  static double GetShift2(const vtkMTLattice& lattice, const vtkMTInputBlock::Place& place, const vtkMTPoint& point)
   {
-    const std::array<double, 3> snapped = lattice.ToWorld(lattice.Snap(place.data()));
+    const std::array<double, 3> snapped = lattice.ToWorld(point);
     double shift2 = 0.0;
     for (int i = 0; i < 3; ++i)
     {
@@ -387,16 +388,16 @@ private:
     return shift2;
   }
 
-  std::vector<Barycentre> GetBarycentres(const vtkMTInputBlock& block) const
+  void FindBarycentres(BlockWork& work) const
   {
-    vtkMTPatch mesh;
-    mesh.Triangles = block.Triangles;
-    mesh.Points.reserve(block.Places.size());
-    for (const vtkMTInputBlock::Place& place : block.Places)
+    const vtkMTLattice lattice = this->State->Graph.Lattice;
+    work.Mesh.Triangles = work.Block.Triangles;
+    work.Mesh.Points.reserve(work.Block.Places.size());
+    for (const vtkMTInputBlock::Place& place : work.Block.Places)
     {
-      mesh.Points.push_back(this->State->Graph.Lattice.Snap(place.data()));
+      work.Mesh.Points.push_back(lattice.Snap(place.data()));
     }
-    return vtkMTBarycentreSpool::GetBarycentres(mesh);
+    work.Barycentres = vtkMTBarycentreSpool::GetBarycentres(work.Mesh);
   }
 
   const vtkMTBuildSettings& Settings;

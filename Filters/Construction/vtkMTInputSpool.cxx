@@ -230,13 +230,14 @@ bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
   const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
   block.Triangles.clear(); // its memory serves again
   block.CellIds.clear();
+  block.Triangles.reserve(vtkMTInputBlock::Size);
+  block.CellIds.reserve(vtkMTInputBlock::Size);
   block.Columns.assign(this->CellTupleSizes.size(), vtkMTColumn());
   while (!reading.IsAtEnd && block.Triangles.size() < vtkMTInputBlock::Size)
   {
     if (reading.Next < reading.Read.Triangles.size())
     {
-      this->AddTriangle(reading, block);
-      ++reading.Next;
+      this->AddTriangles(reading, block);
       continue;
     }
     reading.Next = 0;
@@ -256,23 +257,33 @@ bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
     this->Fail("the input has more triangles than the 4294967294 that are supported");
 }
 
-void vtkMTInputSpool::AddTriangle(const Reading& reading, vtkMTInputBlock& block)
+// As many of those that were read as there is room for.
+void vtkMTInputSpool::AddTriangles(Reading& reading, vtkMTInputBlock& block)
 {
-  const auto& corners = reading.Read.Triangles[reading.Next];
+  const vtkMTTriangleStream::TriangleBlock& read = reading.Read;
   const std::uint64_t points = this->Points.GetNumberOfPoints();
-  if (corners[0] >= points || corners[1] >= points || corners[2] >= points)
+  std::uint64_t dropped = 0;
+  for (; reading.Next < read.Triangles.size() && block.Triangles.size() < vtkMTInputBlock::Size; ++reading.Next)
   {
-    ++this->Report["dropped_index_out_of_range"];
-    return;
+    const auto& corners = read.Triangles[reading.Next];
+    if (corners[0] >= points || corners[1] >= points || corners[2] >= points)
+    {
+      ++dropped;
+      continue;
+    }
+    block.Triangles.push_back({ static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
+      static_cast<std::uint32_t>(corners[2]) });
+    block.CellIds.push_back(read.CellIds[reading.Next]);
+    for (std::size_t c = 0; c < block.Columns.size(); ++c)
+    {
+      const std::size_t size = this->CellTupleSizes[c];
+      const unsigned char* tuple = read.Columns[c].data() + reading.Next * size;
+      block.Columns[c].insert(block.Columns[c].end(), tuple, tuple + size);
+    }
   }
-  block.Triangles.push_back({ static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
-    static_cast<std::uint32_t>(corners[2]) });
-  block.CellIds.push_back(reading.Read.CellIds[reading.Next]);
-  for (std::size_t c = 0; c < block.Columns.size(); ++c)
+  if (dropped > 0)
   {
-    const std::size_t size = this->CellTupleSizes[c];
-    const unsigned char* tuple = reading.Read.Columns[c].data() + reading.Next * size;
-    block.Columns[c].insert(block.Columns[c].end(), tuple, tuple + size);
+    this->Report["dropped_index_out_of_range"] += static_cast<std::int64_t>(dropped);
   }
 }
 

@@ -83,7 +83,7 @@ private:
   bool LoadRaw(vtkMTTriangleStream& stream, vtkMTRecordSort& requests);
   bool LoadChecked(vtkMTTriangleStream& stream, const Visit& visit);
   bool FillBlock(Reading& reading, vtkMTInputBlock& block);
-  void AddTriangle(const Reading& reading, vtkMTInputBlock& block);
+  void AddTriangles(Reading& reading, vtkMTInputBlock& block);
   bool PutRaw(std::size_t number, const BlockWork& raw, vtkMTRecordSort& requests);
   bool FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& places);
   bool CheckBlocks(vtkMTRecordSort& places, const Visit& visit);

@@ -59,6 +59,6 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
   this->Needs.Sorts = 16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values);
   const double finer = settings.KeepsFinerLevels() ? 14.0 : 0.0;
-  // Fragments, patches and barycentres of the finest level, and the model itself: more than at any time before.
-  this->Needs.Spools = triangles * (68.0 + finer + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB;
+  // Fragments and patches of the finest level, and the model itself: more than at any time before.
+  this->Needs.Spools = triangles * (44.0 + finer + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB;
 }

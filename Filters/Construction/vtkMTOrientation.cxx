@@ -83,16 +83,20 @@ void vtkMTOrientation::Fragment::Reach(
 void vtkMTOrientation::Fragment::FindOpenEdges(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs)
 {
   const std::size_t shared = mesh.Ids.size();
-  for (std::uint32_t h = 0; h < pairs.Corners.size(); ++h)
+  for (std::uint32_t t = 0; t < mesh.Triangles.size(); ++t)
   {
-    if (pairs.Corners[h] >= shared || pairs.Corners[vtkMTHalfedgePairs::Next(h)] >= shared)
+    const std::uint32_t* corners = pairs.Corners.data() + 3 * std::size_t(t);
+    for (std::uint32_t c = 0; c < 3; ++c)
     {
-      continue;
+      const std::uint32_t next = c == 2 ? 0 : c + 1;
+      if (corners[c] < shared && corners[next] < shared)
+      {
+        const auto from = static_cast<std::uint32_t>(mesh.Ids[corners[c]]);
+        const auto to = static_cast<std::uint32_t>(mesh.Ids[corners[next]]);
+        this->OpenEdges.push_back({ std::min(from, to), std::max(from, to), t, to < from });
+        this->Components[this->ComponentOf[t]].IsOpen = true;
+      }
     }
-    const auto from = static_cast<std::uint32_t>(mesh.Ids[pairs.Corners[h]]);
-    const auto to = static_cast<std::uint32_t>(mesh.Ids[pairs.Corners[vtkMTHalfedgePairs::Next(h)]]);
-    this->OpenEdges.push_back({ std::min(from, to), std::max(from, to), h / 3, to < from });
-    this->Components[this->ComponentOf[h / 3]].IsOpen = true;
   }
 }
 

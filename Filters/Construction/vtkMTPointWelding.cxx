@@ -111,16 +111,21 @@ vtkMTPointWelding::BlockEdges vtkMTPointWelding::FindEdges(const vtkMTInputBlock
 {
   const vtkMTHalfedgePairs pairs(block.Triangles, block.Points.size());
   BlockEdges result;
-  for (std::uint32_t corner = 0; corner < pairs.Corners.size(); ++corner)
+  for (std::uint32_t t = 0; t < block.Triangles.size(); ++t)
   {
-    const std::uint32_t from = pairs.Corners[corner];
-    if (block.IsOpen[from] && block.IsOpen[pairs.Corners[vtkMTHalfedgePairs::Next(corner)]])
+    const vtkMTInputBlock::Triangle& points = block.Triangles[t];
+    const bool isOpen[4] = { block.IsOpen[points[0]] != 0, block.IsOpen[points[1]] != 0, block.IsOpen[points[2]] != 0,
+      block.IsOpen[points[0]] != 0 };
+    for (std::uint32_t c = 0; c < 3; ++c)
     {
-      result.Open.push_back(corner);
-    }
-    else if (pairs.Partners[corner] == vtkMTHalfedgePairs::None)
-    {
-      result.Border.push_back(corner);
+      if (isOpen[c] && isOpen[c + 1])
+      {
+        result.Open.push_back(3 * t + c);
+      }
+      else if (pairs.Partners[3 * std::size_t(t) + c] == vtkMTHalfedgePairs::None)
+      {
+        result.Border.push_back(3 * t + c);
+      }
     }
   }
   return result;

@@ -25,6 +25,14 @@ Vector GetSide(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
   return side;
 }
 
+// In whole steps.
+std::uint64_t GetLength(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
+{
+  const double length = Norm(GetSide(mesh, from, to));
+  const auto whole = static_cast<std::int64_t>(length);
+  return static_cast<std::uint64_t>(whole + (length - static_cast<double>(whole) >= 0.5 ? 1 : 0));
+}
+
 double GetCosine(double degrees)
 {
   return std::cos(vtkMath::RadiansFromDegrees(degrees));
@@ -72,7 +80,7 @@ void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& 
     if (isBesideFlat(h) && isBesideFlat(pairs.Partners[h]))
     {
       ++this->Numbers.Creases;
-      this->Lengths.Creases += GetLength(mesh, pairs, h);
+      this->Lengths.Creases += GetLength(mesh, pairs.Corners[h], pairs.Corners[vtkMTHalfedgePairs::Next(h)]);
     }
   }
 }
@@ -91,34 +99,29 @@ std::vector<vtkMTDihedralAngles::EdgeKind> vtkMTDihedralAngles::AddKinds(
   std::vector<EdgeKind> kinds(pairs.Corners.size(), None);
   std::array<std::uint64_t, Sharp + 1> numbers{};
   std::array<std::uint64_t, Sharp + 1> lengths{};
-  for (std::uint32_t h = 0; h < kinds.size(); ++h)
+  for (std::uint32_t t = 0; t < normals.size(); ++t)
   {
-    const std::uint32_t partner = pairs.Partners[h];
-    if (partner <= h || !pairs.HasPartner(h) || !pairs.AreOpposite(h, partner))
+    const std::uint32_t first = 3 * t;
+    for (std::uint32_t h = first; h < first + 3; ++h)
     {
-      continue;
-    }
-    const EdgeKind kind = GetKind(normals[h / 3], normals[partner / 3]);
-    kinds[h] = kinds[partner] = kind;
-    ++numbers[kind];
-    lengths[kind] += GetLength(mesh, pairs, h);
-    if (kind >= Hard)
-    {
-      hardEdges.push_back(h);
+      const std::uint32_t partner = pairs.Partners[h];
+      if (partner <= h || !pairs.HasPartner(h) || !pairs.AreOpposite(h, partner))
+      {
+        continue;
+      }
+      const EdgeKind kind = GetKind(normals[t], normals[partner / 3]);
+      kinds[h] = kinds[partner] = kind;
+      ++numbers[kind];
+      lengths[kind] += GetLength(mesh, pairs.Corners[h], pairs.Corners[h == first + 2 ? first : h + 1]);
+      if (kind >= Hard)
+      {
+        hardEdges.push_back(h);
+      }
     }
   }
   AddKinds(numbers, this->Numbers);
   AddKinds(lengths, this->Lengths);
   return kinds;
-}
-
-// In whole steps.
-std::uint64_t vtkMTDihedralAngles::GetLength(
-  const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs, std::uint32_t halfedge)
-{
-  const double length = Norm(GetSide(mesh, pairs.Corners[halfedge], pairs.Corners[vtkMTHalfedgePairs::Next(halfedge)]));
-  const auto whole = static_cast<std::int64_t>(length);
-  return static_cast<std::uint64_t>(whole + (length - static_cast<double>(whole) >= 0.5 ? 1 : 0));
 }
 
 void vtkMTDihedralAngles::AddKinds(const std::array<std::uint64_t, Sharp + 1>& weights, Sum& sum)

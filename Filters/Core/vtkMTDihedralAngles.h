@@ -85,7 +85,6 @@ private:
   static EdgeKind GetKind(const Normal& a, const Normal& b);
   std::vector<EdgeKind> AddKinds(
     const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs, std::vector<std::uint32_t>& hardEdges);
-  static std::uint64_t GetLength(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs, std::uint32_t halfedge);
   static void AddKinds(const std::array<std::uint64_t, Sharp + 1>& weights, Sum& sum);
 
   Sum Numbers;
