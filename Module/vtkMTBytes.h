@@ -83,6 +83,12 @@ public:
 
   std::size_t size() const { return this->Size; }
   bool empty() const { return this->Size == 0; }
+  /// The values, when they lie where such values may; else null.
+  const Value* data() const
+  {
+    const bool isAligned = reinterpret_cast<std::uintptr_t>(this->Bytes) % alignof(Value) == 0;
+    return isAligned ? reinterpret_cast<const Value*>(this->Bytes) : nullptr;
+  }
   Value operator[](std::size_t i) const
   {
     Value value;

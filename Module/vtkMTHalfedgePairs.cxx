@@ -160,22 +160,31 @@ vtkMTHalfedgePairs::vtkMTHalfedgePairs(const std::vector<vtkMTTriangle>& triangl
 
 std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
 {
-  if (corners.empty())
+  std::uint32_t largest = 0;
+  for (const std::uint32_t corner : corners)
   {
-    return {};
+    largest = std::max(largest, corner);
   }
-  std::vector<std::uint32_t> opposites =
-    FindPartners(corners, *std::max_element(corners.begin(), corners.end()) + std::size_t(1));
-  for (std::uint32_t h = 0; h < opposites.size(); ++h)
+  std::vector<std::uint32_t> opposites = FindPartners(corners, largest + std::size_t(1));
+  const auto getSum = [&corners](std::uint32_t t)
   {
-    const std::uint32_t partner = opposites[h];
-    if (partner >= Other)
+    const std::uint32_t* c = corners.data() + 3 * std::size_t(t);
+    return c[0] + c[1] + c[2];
+  };
+  for (std::uint32_t t = 0; t < corners.size() / 3; ++t)
+  {
+    const std::uint32_t sum = getSum(t);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
     {
-      opposites[h] = None;
-    }
-    else if (h < partner && !AreOpposite(corners, h, partner))
-    {
-      opposites[h] = opposites[partner] = None;
+      const std::uint32_t partner = opposites[h];
+      if (partner >= Other)
+      {
+        opposites[h] = None;
+      }
+      else if (h < partner && (corners[h] == corners[partner] || sum == getSum(partner / 3)))
+      {
+        opposites[h] = opposites[partner] = None;
+      }
     }
   }
   return opposites;

@@ -44,15 +44,12 @@ struct VTKMTCORE_EXPORT vtkMTHalfedgePairs
 
   bool HasPartner(std::uint32_t h) const { return this->Partners[h] < Other; }
   /// Of two partners.
-  bool AreOpposite(std::uint32_t g, std::uint32_t h) const { return AreOpposite(this->Corners, g, h); }
-
-private:
-  static bool AreOpposite(const std::vector<std::uint32_t>& corners, std::uint32_t g, std::uint32_t h)
+  bool AreOpposite(std::uint32_t g, std::uint32_t h) const
   {
-    // Edges with the same two points: their third ones differ as the sums of all three do.
-    const std::uint32_t* s = corners.data() + g / 3 * 3;
-    const std::uint32_t* t = corners.data() + h / 3 * 3;
-    return corners[g] != corners[h] && s[0] + s[1] + s[2] != t[0] + t[1] + t[2];
+    // Of triangles with two points in common: their third ones differ as the sums of all three do.
+    const std::uint32_t* s = this->Corners.data() + g / 3 * 3;
+    const std::uint32_t* t = this->Corners.data() + h / 3 * 3;
+    return this->Corners[g] != this->Corners[h] && s[0] + s[1] + s[2] != t[0] + t[1] + t[2];
   }
 };
 

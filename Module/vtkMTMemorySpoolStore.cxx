@@ -73,7 +73,7 @@ struct Storage
     return isInOne && size > 0 ? this->Pieces[offset / PieceSize].get() + begin : nullptr;
   }
 
-  // A piece goes when all of it has been forgotten.
+  // A part goes when all of it has been forgotten.
   void Forget(std::uint64_t offset, std::uint64_t size)
   {
     const std::uint64_t end = std::min(offset + size, this->Size);
@@ -93,7 +93,7 @@ struct Storage
   }
 
   std::vector<std::unique_ptr<unsigned char[]>> Pieces;
-  std::vector<std::uint64_t> Needed; // bytes of each piece
+  std::vector<std::uint64_t> Needed; // bytes of each part
   std::uint64_t Forgotten = 0;
   std::uint64_t Size = 0;
   std::shared_ptr<Account> Holder;

@@ -35,14 +35,24 @@ std::vector<vtkMTBarycentreSpool::Barycentre> vtkMTBarycentreSpool::GetBarycentr
   return result;
 }
 
-void vtkMTBarycentreSpool::AppendBarycentres(const vtkMTPatchRecord::Shape& mesh, std::vector<Barycentre>& barycentres)
+void vtkMTBarycentreSpool::PutBarycentres(const vtkMTPatchRecord::Shape& mesh, Barycentre* to)
 {
+  const vtkMTPoint* points = mesh.Points.data();
+  const vtkMTTriangle* triangles = mesh.Triangles.data();
+  if (points && triangles && mesh.WedgePoints.empty()) // as most of them are
+  {
+    for (const vtkMTTriangle* t = triangles; t < triangles + mesh.Triangles.size(); ++t)
+    {
+      *to++ = GetBarycentre(points[(*t)[0]], points[(*t)[1]], points[(*t)[2]]);
+    }
+    return;
+  }
   const auto getPoint = [&mesh](std::uint32_t wedge)
   { return mesh.Points[mesh.WedgePoints.empty() ? wedge : mesh.WedgePoints[wedge]]; };
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
     const vtkMTTriangle w = mesh.Triangles[t];
-    barycentres.push_back(GetBarycentre(getPoint(w[0]), getPoint(w[1]), getPoint(w[2])));
+    *to++ = GetBarycentre(getPoint(w[0]), getPoint(w[1]), getPoint(w[2]));
   }
 }
 
@@ -110,7 +120,7 @@ bool vtkMTBarycentreSpool::Scan(const Block& block)
     const std::uint64_t offset = begin * std::uint64_t(sizeof(Barycentre));
     if (const unsigned char* bytes = this->Spool->Find(offset, size * sizeof(Barycentre)))
     {
-      block(reinterpret_cast<const Barycentre*>(bytes), size); // pieces begin where any type may
+      block(reinterpret_cast<const Barycentre*>(bytes), size); // its bytes begin where any type may
       continue;
     }
     copies.resize(size);

@@ -29,8 +29,8 @@ public:
 
   /// Of all triangles of the mesh, in their order, in steps of the lattice.
   static std::vector<Barycentre> GetBarycentres(const vtkMTPatch& mesh);
-  /// And of a record's, behind others.
-  static void AppendBarycentres(const vtkMTPatchRecord::Shape& mesh, std::vector<Barycentre>& barycentres);
+  /// And of a record's, one for each triangle.
+  static void PutBarycentres(const vtkMTPatchRecord::Shape& mesh, Barycentre* to);
 
   vtkMTBarycentreSpool();
   ~vtkMTBarycentreSpool() override;

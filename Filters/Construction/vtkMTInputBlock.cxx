@@ -104,62 +104,57 @@ const char* vtkMTInputBlock::FindFault(const Triangle& triangle) const
       return "dropped_not_finite";
     }
   }
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    if (this->Places[triangle[c]] == this->Places[triangle[(c + 1) % 3]])
-    {
-      return "dropped_degenerate";
-    }
-  }
-  return nullptr;
+  return this->IsDegenerate(triangle) ? "dropped_degenerate" : nullptr;
 }
 
-void vtkMTInputBlock::Keep(const std::function<bool(const Triangle&)>& isKept)
+bool vtkMTInputBlock::IsFinite() const
+{
+  return std::all_of(this->Places.begin(), this->Places.end(),
+    [](const Place& x) { return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]); });
+}
+
+// With its values.
+void vtkMTInputBlock::Move(std::size_t from, std::size_t to)
+{
+  this->Triangles[to] = this->Triangles[from];
+  this->CellIds[to] = this->CellIds[from];
+  for (vtkMTColumn& column : this->Columns)
+  {
+    const std::size_t size = column.size() / this->Triangles.size();
+    std::memcpy(column.data() + to * size, column.data() + from * size, size);
+  }
+}
+
+void vtkMTInputBlock::Shrink(std::size_t triangles)
 {
   const std::size_t count = this->Triangles.size();
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < count; ++t)
-  {
-    if (!isKept(this->Triangles[t]))
-    {
-      continue;
-    }
-    if (kept == t) // nothing was dropped yet
-    {
-      ++kept;
-      continue;
-    }
-    this->Triangles[kept] = this->Triangles[t];
-    this->CellIds[kept] = this->CellIds[t];
-    for (std::size_t c = 0; c < this->Columns.size(); ++c)
-    {
-      const std::size_t size = this->Columns[c].size() / count;
-      std::memcpy(this->Columns[c].data() + kept * size, this->Columns[c].data() + t * size, size);
-    }
-    ++kept;
-  }
-  if (kept == count)
+  if (triangles == count)
   {
     return;
   }
-  this->Triangles.resize(kept);
-  this->CellIds.resize(kept);
+  this->Triangles.resize(triangles);
+  this->CellIds.resize(triangles);
   for (vtkMTColumn& column : this->Columns)
   {
-    column.resize(column.size() / count * kept);
+    column.resize(column.size() / count * triangles);
   }
+}
+
+std::size_t vtkMTInputBlock::GetMemorySize() const
+{
+  std::size_t size = this->Points.size() * sizeof(std::uint32_t) + this->Places.size() * sizeof(Place) +
+    this->IsOpen.size() + this->Triangles.size() * sizeof(Triangle) + this->CellIds.size() * sizeof(std::int64_t);
+  for (const vtkMTColumn& column : this->Columns)
+  {
+    size += column.size();
+  }
+  return size;
 }
 
 void vtkMTInputBlock::Encode(std::vector<unsigned char>& bytes) const
 {
-  std::size_t size = this->Points.size() * (sizeof(std::uint32_t) + sizeof(Place) + 1) +
-    this->Triangles.size() * (sizeof(Triangle) + sizeof(std::int64_t)) + 256;
-  for (const vtkMTColumn& column : this->Columns)
-  {
-    size += column.size() + 2 * vtkMTBytes::Alignment;
-  }
   bytes.clear();
-  bytes.reserve(size);
+  bytes.reserve(this->GetMemorySize() + 2 * vtkMTBytes::Alignment * (5 + this->Columns.size()));
   vtkMTBytes::Writer writer(bytes);
   writer.PutList(this->Points);
   writer.PutList(this->Places);

@@ -123,6 +123,8 @@ public:
     bool done = fragments.Make(*this->Regions, input);
     this->Report(stream, input, stitch);
     this->Regions.reset();
+    input.ForgetBlocks();
+    input.ForgetPoints();
     done = done && fragments.Finish();
     this->Aborted = fragments.WasAborted();
     return done || this->Fail(fragments.GetError());
@@ -176,10 +178,10 @@ private:
       return this->Error.empty() ? this->Fail(outliers.GetError() + outliers.GetMessage()) : false;
     }
     this->Warning = outliers.GetMessage();
-    input.LeaveOut([&outliers](const vtkMTInputBlock& of, const vtkMTInputBlock::Triangle& t)
-      { return outliers.IsFar(of, t); },
-      "dropped_far_outlier", outliers.GetNumberOfOutliers());
-    return true;
+    return input.LeaveOut([&outliers](const vtkMTInputBlock& of, const vtkMTInputBlock::Triangle& t)
+             { return outliers.IsFar(of, t); },
+             "dropped_far_outlier", outliers.GetNumberOfOutliers()) ||
+      this->Fail(input.GetError());
   }
 
   bool SetUpArrays(const vtkMTTriangleStream& stream, bool isSingle)
@@ -242,9 +244,15 @@ private:
       return false;
     }
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    input.ForgetBlocks();
+    if (!input.IsInMemory()) // there regions are taken from what is kept
+    {
+      input.ForgetBlocks();
+    }
     const bool found = this->Regions->FindPoints(stitch, this->State->Graph.Lattice);
-    input.ForgetPoints();
+    if (!input.IsInMemory())
+    {
+      input.ForgetPoints();
+    }
     this->Aborted = this->Regions->WasAborted();
     return found || this->Fail(this->Regions->GetError());
   }
@@ -328,7 +336,7 @@ private:
       [&](std::size_t, BlockWork& work)
       {
         done += work.Barycentres.size();
-        return (this->Regions->Add(std::move(work.Records)) || this->Fail(this->Regions->GetError())) &&
+        return (this->Regions->Add(work.Block, std::move(work.Records)) || this->Fail(this->Regions->GetError())) &&
           this->Continue("sorting into regions", done);
       });
   }

@@ -5,6 +5,8 @@
 #include "vtkMTInputSpool.h"
 #include "vtkMTOrderedWork.h"
 #include "vtkMTPointWelding.h"
+#include "vtkMTRadixSort.h"
+#include "vtkMTRelease.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTTrimHeap.h"
 
@@ -74,6 +76,11 @@ vtkMTInputRegions::BlockRecords vtkMTInputRegions::MakeRecords(
   const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions) const
 {
   BlockRecords result;
+  if (this->Input.IsInMemory())
+  {
+    result.Regions = regions;
+    return result;
+  }
   result.Count = block.Triangles.size();
   result.Triangles.reset(new unsigned char[result.Count * this->TriangleSize]);
   result.Requests.reserve(block.Points.size() + block.Points.size() / 8);
@@ -106,8 +113,13 @@ vtkMTInputRegions::BlockRecords vtkMTInputRegions::MakeRecords(
   return result;
 }
 
-bool vtkMTInputRegions::Add(BlockRecords&& records)
+bool vtkMTInputRegions::Add(const vtkMTInputBlock& block, BlockRecords&& records)
 {
+  if (this->Input.IsInMemory())
+  {
+    this->AddInMemory(block, records.Regions);
+    return true;
+  }
   for (std::size_t t = 0; t < records.Count; ++t)
   {
     unsigned char* number = records.Triangles.get() + t * this->TriangleSize + offsetof(Triangle, Number);
@@ -135,6 +147,31 @@ struct vtkMTInputRegions::PointBatch
 
 bool vtkMTInputRegions::FindPoints(vtkMTPointWelding& stitch, const vtkMTLattice& lattice)
 {
+  this->Lattice = lattice;
+  const auto findRoot = [&stitch](std::uint32_t point) { return stitch.FindRoot(point); };
+  if (!this->Input.IsInMemory())
+  {
+    return this->FindRequested(findRoot) || this->Fail(this->Error + stitch.GetError());
+  }
+  const std::vector<Root> roots = this->FindRoots(stitch);
+  const std::uint64_t used = this->UsedPoints;
+  this->SortInMemory();
+  auto next = roots.begin();
+  const auto findAgain = [&next](std::uint32_t point)
+  {
+    for (; next->first < point; ++next)
+    {
+    }
+    return next->second; // only stitched points are requested
+  };
+  const bool found = stitch.GetError().empty() && this->RequestStitched(roots) && this->FindRequested(findAgain);
+  this->UsedPoints = used;
+  vtkMTRelease(this->RegionOf);
+  return found || this->Fail(this->Error + stitch.GetError());
+}
+
+bool vtkMTInputRegions::FindRequested(const FindRoot& findRoot)
+{
   if (!this->Requests.Finish())
   {
     return this->Fail(this->Requests.GetError());
@@ -148,12 +185,12 @@ bool vtkMTInputRegions::FindPoints(vtkMTPointWelding& stitch, const vtkMTLattice
     [&](std::size_t, std::size_t slot, std::string& message)
     {
       const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-      return this->FetchPoints(stitch, slots[slot], message);
+      return this->FetchPoints(findRoot, slots[slot], message);
     },
     [&](std::size_t, std::size_t slot, std::string& message)
     {
       const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-      return this->MakePoints(lattice, slots[slot], message);
+      return this->MakePoints(slots[slot], message);
     },
     [&](std::size_t, std::size_t slot, std::string&) { return this->PutPoints(slots[slot]); }, error);
   if (!found)
@@ -174,7 +211,7 @@ std::size_t vtkMTInputRegions::GetBatch() const
   return std::max(LeastBatch, BatchSize / this->PointSize);
 }
 
-bool vtkMTInputRegions::FetchPoints(vtkMTPointWelding& stitch, PointBatch& batch, std::string& error)
+bool vtkMTInputRegions::FetchPoints(const FindRoot& findRoot, PointBatch& batch, std::string& error)
 {
   batch = PointBatch();
   const unsigned char*& record = this->NextRequest;
@@ -191,14 +228,14 @@ bool vtkMTInputRegions::FetchPoints(vtkMTPointWelding& stitch, PointBatch& batch
       }
     }
     batch.Points.push_back(point);
-    batch.Roots.push_back(stitch.FindRoot(point));
+    batch.Roots.push_back(findRoot(point));
     batch.End.push_back(batch.Regions.size());
   }
-  error = this->Requests.GetError() + stitch.GetError();
+  error = this->Requests.GetError();
   return error.empty();
 }
 
-bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batch, std::string& error) const
+bool vtkMTInputRegions::MakePoints(PointBatch& batch, std::string& error) const
 {
   if (batch.Points.empty())
   {
@@ -215,15 +252,9 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
     {
       return false;
     }
-    const vtkMTInputBlock::Place place = vtkMTInputPoints::GetPlace(bytes);
     const std::uint32_t point = batch.Points[i];
-    Point record{ 0, point, point, lattice.Snap(place.data()), batch.End[i] - begin > 1 ? 1u : 0u };
-    std::copy_n(vtkMTInputPoints::GetValues(bytes), this->Input.GetPoints().GetValueSize(), values.begin());
-    if (this->Exact)
-    {
-      vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputPoints::GetExactPlace(bytes),
-        values.data() + this->Input.GetPoints().GetValueSize());
-    }
+    Point record{ 0, point, point, {}, batch.End[i] - begin > 1 ? 1u : 0u };
+    this->MakePoint(bytes, record, values);
     const bool isStitched = batch.Roots[i] != vtkMTPointWelding::None;
     for (; begin < batch.End[i]; ++begin)
     {
@@ -242,6 +273,19 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
     }
   }
   return true;
+}
+
+// Its place and its values.
+void vtkMTInputRegions::MakePoint(const unsigned char* bytes, Point& record, std::vector<unsigned char>& values) const
+{
+  const std::size_t size = this->Input.GetPoints().GetValueSize();
+  record.X = this->Lattice.Snap(vtkMTInputPoints::GetPlace(bytes).data());
+  std::copy_n(vtkMTInputPoints::GetValues(bytes), size, values.begin());
+  if (this->Exact)
+  {
+    vtkMTExactPoints::Encode(
+      *this->Exact, this->Lattice, record.X, vtkMTInputPoints::GetExactPlace(bytes), values.data() + size);
+  }
 }
 
 bool vtkMTInputRegions::PutPoints(const PointBatch& batch)
@@ -316,6 +360,10 @@ bool vtkMTInputRegions::SolveIdentity(std::uint32_t root, std::vector<unsigned c
 bool vtkMTInputRegions::Take(std::uint32_t region, Region& result)
 {
   result = Region();
+  if (this->Input.IsInMemory())
+  {
+    return this->TakeInMemory(region, result);
+  }
   for (; this->NextTriangle && vtkMTRecordSort::GetKey(this->NextTriangle) == region;
        this->NextTriangle = this->Triangles.Next())
   {

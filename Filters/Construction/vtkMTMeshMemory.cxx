@@ -28,6 +28,8 @@ constexpr double PerRecordTriangle = 26.0;
 constexpr double Sample = 1.5;
 // The DAG's records in builder, graph and sink: bytes per patch.
 constexpr double PerPatch = 600.0;
+// A partition's seeds with their neighbours: bytes per region.
+constexpr double PerRegion = 300.0;
 }
 
 vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBuildSettings& settings)
@@ -52,7 +54,8 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   const double patches = 2.2 * triangles / static_cast<double>(settings.PatchTriangles) + 16.0;
   const double copies = CopiesOfBlock + (settings.Threads > 1 ? CopiesAhead : 0.0);
   const double blocks = BlockTriangles * copies * values;
-  this->Needs.Standing = Base + blocks + triangles * Sample + patches * PerPatch;
+  const double regions = triangles / settings.GetRegionTarget() + 16.0;
+  this->Needs.Standing = Base + blocks + triangles * Sample + patches * PerPatch + regions * PerRegion;
   // A region for each thread, and half a one that waits to be taken over.
   this->Needs.Work = (settings.Threads + 0.5) * settings.GetFloorTarget() * this->PerByteSimplified * record;
   this->Needs.Blocks = 0.5 * Base + blocks;

@@ -32,31 +32,31 @@ public:
 
   bool Scan(const Block& block) override
   {
-    std::vector<Barycentre> barycentres;
+    std::size_t count = 0; // of those that wait
     for (std::size_t fragment = 0; fragment < this->State.Fragments.GetNumberOfKeys(); ++fragment)
     {
-      if (!this->AddBarycentres(fragment, barycentres))
+      if (!this->AddBarycentres(fragment, count))
       {
         return false;
       }
-      if (barycentres.size() >= Many)
+      if (count >= Many)
       {
-        block(barycentres.data(), barycentres.size());
-        barycentres.clear();
+        block(this->Barycentres.data(), count);
+        count = 0;
         if (!this->Proceed())
         {
           return false;
         }
       }
     }
-    block(barycentres.data(), barycentres.size());
+    block(this->Barycentres.data(), count);
     return true;
   }
 
   const std::string& GetError() const { return this->Error; }
 
 private:
-  bool AddBarycentres(std::size_t fragment, std::vector<Barycentre>& barycentres)
+  bool AddBarycentres(std::size_t fragment, std::size_t& count)
   {
     std::vector<vtkMTBytes::Record> records;
     if (!this->State.Fragments.Take(fragment, records, this->Error))
@@ -74,13 +74,16 @@ private:
       this->Error = "temporary data does not hold the mesh that was written";
       return false;
     }
-    vtkMTBarycentreSpool::AppendBarycentres(shape, barycentres);
+    this->Barycentres.resize(std::max(this->Barycentres.size(), count + shape.Triangles.size()));
+    vtkMTBarycentreSpool::PutBarycentres(shape, this->Barycentres.data() + count);
+    count += shape.Triangles.size();
     return true;
   }
 
   static constexpr std::size_t Many = 16384;
   const vtkMTSequenceState& State;
   const std::function<bool()> Proceed;
+  std::vector<Barycentre> Barycentres;
   std::string Error;
 };
 }
