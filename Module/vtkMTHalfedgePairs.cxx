@@ -32,13 +32,24 @@ void Meet(std::uint32_t first, std::uint32_t h, std::uint32_t* partners)
   partners[first] = partner == Odd ? Other : Odd;
 }
 
-// The first half-edge of every edge, chained by its lower point.
+// Whether two half-edges of one edge run in opposite directions and have different third points.
+bool AreOpposite(const std::uint32_t* corners, std::uint32_t g, std::uint32_t h)
+{
+  // Of triangles with two points in common: their third ones differ as the sums of all three do.
+  const std::uint32_t* s = corners + g / 3 * 3;
+  const std::uint32_t* t = corners + h / 3 * 3;
+  return corners[g] != corners[h] && s[0] + s[1] + s[2] != t[0] + t[1] + t[2];
+}
+
+// The first half-edge of every edge, chained by its lower point. OnlyOpposites: others are no partners.
+template <bool OnlyOpposites>
 class Chains
 {
 public:
-  Chains(std::size_t points, std::size_t halfedges, std::uint32_t* partners)
-    : First(points, None)
-    , Links(new Link[halfedges])
+  Chains(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* partners)
+    : Corners(corners.data())
+    , First(points, None)
+    , Links(new Link[corners.size()])
     , Partners(partners)
   {
   }
@@ -53,7 +64,7 @@ public:
     {
       if (this->Links[g].High == high)
       {
-        Meet(g, h, this->Partners);
+        this->Join(g, h);
         return steps;
       }
       ++steps;
@@ -64,25 +75,50 @@ public:
     return steps;
   }
 
+  // Whether there are half-edges with others that are no partners.
+  bool HasOthers() const { return this->Others; }
+
 private:
+  void Join(std::uint32_t first, std::uint32_t h)
+  {
+    const bool isSecond = this->Partners[first] == None;
+    this->Others = this->Others || !isSecond;
+    if (OnlyOpposites && isSecond && !AreOpposite(this->Corners, first, h))
+    {
+      this->Partners[first] = this->Partners[h] = Other;
+      this->Others = true;
+      return;
+    }
+    Meet(first, h, this->Partners);
+  }
+
   struct Link
   {
     std::uint32_t High;
     std::uint32_t Next;
   };
+  const std::uint32_t* Corners;
   std::vector<std::uint32_t> First; // by point
   std::unique_ptr<Link[]> Links;    // of first half-edges; not cleared
   std::uint32_t* Partners;
+  bool Others = false;
 };
 
-// False where chains are long: where a walk takes more steps than sorting.
-bool FindByChains(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* partners)
+enum class Found
+{
+  All,        // and every half-edge has a partner, or is alone
+  WithOthers, // there are half-edges with others that are no partners
+  NotAll      // chains are long: walks along them take more steps than sorting
+};
+
+template <bool OnlyOpposites>
+Found FindByChains(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* partners)
 {
   constexpr std::size_t manySteps = 16;
   const auto count = static_cast<std::uint32_t>(corners.size());
-  Chains chains(points, count, partners);
+  Chains<OnlyOpposites> chains(corners, points, partners);
   std::size_t steps = 0;
-  for (std::uint32_t h = 0; h + 2 < count && steps <= manySteps * count; h += 3)
+  for (std::uint32_t h = 0; h + 2 < count; h += 3)
   {
     const std::uint32_t a = corners[h];
     const std::uint32_t b = corners[h + 1];
@@ -90,8 +126,12 @@ bool FindByChains(const std::vector<std::uint32_t>& corners, std::size_t points,
     steps += chains.Take(h, a, b);
     steps += chains.Take(h + 1, b, c);
     steps += chains.Take(h + 2, c, a);
+    if (steps > manySteps * count)
+    {
+      return Found::NotAll;
+    }
   }
-  return steps <= manySteps * count;
+  return chains.HasOthers() ? Found::WithOthers : Found::All;
 }
 
 void FindBySorting(const std::vector<std::uint32_t>& corners, std::uint32_t* partners)
@@ -124,7 +164,7 @@ void FindBySorting(const std::vector<std::uint32_t>& corners, std::uint32_t* par
 std::vector<std::uint32_t> FindPartners(const std::vector<std::uint32_t>& corners, std::size_t points)
 {
   std::vector<std::uint32_t> partners(corners.size());
-  if (!FindByChains(corners, points, partners.data()))
+  if (FindByChains<false>(corners, points, partners.data()) == Found::NotAll)
   {
     FindBySorting(corners, partners.data());
   }
@@ -165,26 +205,22 @@ std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint3
   {
     largest = std::max(largest, corner);
   }
-  std::vector<std::uint32_t> opposites = FindPartners(corners, largest + std::size_t(1));
-  const auto getSum = [&corners](std::uint32_t t)
+  std::vector<std::uint32_t> opposites(corners.size());
+  const Found found = FindByChains<true>(corners, largest + std::size_t(1), opposites.data());
+  if (found == Found::NotAll)
   {
-    const std::uint32_t* c = corners.data() + 3 * std::size_t(t);
-    return c[0] + c[1] + c[2];
-  };
-  for (std::uint32_t t = 0; t < corners.size() / 3; ++t)
+    FindBySorting(corners, opposites.data());
+  }
+  for (std::uint32_t h = 0; h < opposites.size() && found != Found::All; ++h)
   {
-    const std::uint32_t sum = getSum(t);
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+    const std::uint32_t partner = opposites[h];
+    if (partner >= Other)
     {
-      const std::uint32_t partner = opposites[h];
-      if (partner >= Other)
-      {
-        opposites[h] = None;
-      }
-      else if (h < partner && (corners[h] == corners[partner] || sum == getSum(partner / 3)))
-      {
-        opposites[h] = opposites[partner] = None;
-      }
+      opposites[h] = None;
+    }
+    else if (h < partner && !::AreOpposite(corners.data(), h, partner))
+    {
+      opposites[h] = opposites[partner] = None;
     }
   }
   return opposites;
