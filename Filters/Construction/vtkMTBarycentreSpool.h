@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMTBarycentreSpool
- * @brief the barycentres of a level's mesh, in a spool, for the sequential scans that place seeds (BMT 4.2.2)
+ * @brief the barycentres of the input, in a spool, for the sequential scans that place seeds (BMT 4.2.2)
  *
  * 24 bytes per triangle, written and read in blocks of 8192; nothing but one block is in memory, and one that lies in
- * memory already is read there.
+ * memory already is read there. Those of other levels are made anew for every scan (vtkMTSplitStep).
  */
 #ifndef vtkMTBarycentreSpool_h
 #define vtkMTBarycentreSpool_h
