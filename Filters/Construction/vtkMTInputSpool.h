@@ -5,8 +5,8 @@
  *
  * Load reads the stream once. The pairs (point, block) are then sorted by point and walked beside the points, which
  * gives every block the places of its points and tells which of them several blocks use, whatever the order of the
- * input. Where points lie in memory their places are looked up instead, uses are counted, and blocks are kept. Triangles that cannot be
- * part of a surface are dropped and counted, as vtkMTInputMesh says.
+ * input. Where points lie in memory their places are looked up instead, uses are counted, and blocks are kept.
+ * Triangles that cannot be part of a surface are dropped and counted, as vtkMTInputMesh says.
  *
  * Threads: the calling one reads the stream, a few blocks ahead, and writes; others do what is between.
  */
