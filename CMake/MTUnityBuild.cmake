@@ -11,12 +11,17 @@ set(mt_single_sources
   MTCertification:Filters/Certification/vtkMTDirectImprover.cxx
   MTCertification:Filters/Certification/vtkMTFinerRecord.cxx
   MTCertification:Filters/Certification/vtkMTNormalDeviation.cxx
+  MTConstruction:Filters/Construction/Input/vtkMTInputSpoolSorted.cxx
+  MTConstruction:Filters/Construction/vtkMTBarycentreSpool.cxx
+  MTConstruction:Filters/Construction/vtkMTBorderOrder.cxx
   MTConstruction:Filters/Construction/vtkMTFinerLevels.cxx
+  MTConstruction:Filters/Construction/vtkMTInputFragment.cxx
   MTConstruction:Filters/Construction/vtkMTInputMesh.cxx
   MTConstruction:Filters/Construction/vtkMTPointNormals.cxx
   MTConstruction:Filters/Construction/vtkMTSharedIds.cxx
   MTCore:Module/vtkMTHalfedgePairs.cxx
   MTCore:Module/vtkMTPolyDataStream.cxx
+  MTCore:Module/vtkMTRecordSort.cxx
   MTIO:IO/MultiTriangulation/vtkMTNormalCodec.cxx
   MTIO:IO/MultiTriangulation/vtkMTPositionCodec.cxx
   MTIO:IO/MultiTriangulation/vtkMTTriangleEncoder.cxx

@@ -4,7 +4,8 @@
  * @brief numbers, lists and texts to bytes and back, in the machine's order, for what a builder puts aside
  *
  * For temporary data of one machine only: files that leave it have formats of their own. Reading checks every length
- * against the bytes that are left; once something was wrong, everything reads as zero and IsSound says so.
+ * against the bytes that are left; once something was wrong, everything reads as zero and IsSound says so. Lists begin
+ * at multiples of 8 bytes, so that one whose bytes lie at such an address is copied without being cleared before.
  */
 #ifndef vtkMTBytes_h
 #define vtkMTBytes_h
@@ -19,6 +20,8 @@
 
 namespace vtkMTBytes
 {
+constexpr std::size_t Alignment = 8;
+
 class Writer
 {
 public:
@@ -38,6 +41,7 @@ public:
   {
     static_assert(std::is_trivially_copyable<Value>::value, "only values without pointers");
     this->Put<std::uint64_t>(list.size());
+    this->Bytes.resize((this->Bytes.size() + Alignment - 1) / Alignment * Alignment);
     this->PutBytes(list.data(), list.size() * sizeof(Value));
   }
   void PutText(const std::string& text)
@@ -79,6 +83,12 @@ public:
 
   std::size_t size() const { return this->Size; }
   bool empty() const { return this->Size == 0; }
+  /// The values, when they lie where such values may; else null.
+  const Value* data() const
+  {
+    const bool isAligned = reinterpret_cast<std::uintptr_t>(this->Bytes) % alignof(Value) == 0;
+    return isAligned ? reinterpret_cast<const Value*>(this->Bytes) : nullptr;
+  }
   Value operator[](std::size_t i) const
   {
     Value value;
@@ -130,7 +140,8 @@ class Reader
 {
 public:
   Reader(const unsigned char* bytes, std::size_t size)
-    : Next(bytes)
+    : Begin(bytes)
+    , Next(bytes)
     , Left(size)
   {
   }
@@ -153,17 +164,24 @@ public:
   template <typename Value>
   void TakeList(std::vector<Value>& list)
   {
-    const std::uint64_t size = this->TakeCount(sizeof(Value));
-    list.resize(static_cast<std::size_t>(size));
-    this->TakeBytes(list.data(), list.size() * sizeof(Value));
+    static_assert(alignof(Value) <= Alignment, "lists begin where any of their values may");
+    const auto size = static_cast<std::size_t>(this->TakeListCount(sizeof(Value)));
+    if (reinterpret_cast<std::uintptr_t>(this->Next) % alignof(Value) == 0)
+    {
+      const Value* values = reinterpret_cast<const Value*>(this->Next);
+      list.assign(values, values + size);
+      this->Step(size * sizeof(Value));
+      return;
+    }
+    list.resize(size);
+    this->TakeBytes(list.data(), size * sizeof(Value));
   }
   template <typename Value>
   View<Value> TakeView()
   {
-    const auto size = static_cast<std::size_t>(this->TakeCount(sizeof(Value)));
+    const auto size = static_cast<std::size_t>(this->TakeListCount(sizeof(Value)));
     const View<Value> view(this->Next, size);
-    this->Next += size * sizeof(Value);
-    this->Left -= size * sizeof(Value);
+    this->Step(size * sizeof(Value));
     return view;
   }
   std::string TakeText()
@@ -190,17 +208,33 @@ private:
     this->Sound = this->Sound && count <= this->Left / itemSize;
     return this->Sound ? count : 0;
   }
+  // Of a list that is there as a whole, up to its first value.
+  std::uint64_t TakeListCount(std::size_t itemSize)
+  {
+    const auto count = this->Take<std::uint64_t>();
+    const std::size_t padding =
+      (Alignment - static_cast<std::size_t>(this->Next - this->Begin) % Alignment) % Alignment;
+    this->Sound = this->Sound && padding <= this->Left;
+    this->Step(this->Sound ? padding : 0);
+    this->Sound = this->Sound && count <= this->Left / itemSize;
+    return this->Sound ? count : 0;
+  }
   void TakeBytes(void* to, std::size_t size)
   {
     this->Sound = this->Sound && size <= this->Left;
     if (this->Sound && size > 0)
     {
       std::memcpy(to, this->Next, size);
-      this->Next += size;
-      this->Left -= size;
+      this->Step(size);
     }
   }
+  void Step(std::size_t size)
+  {
+    this->Next += size;
+    this->Left -= size;
+  }
 
+  const unsigned char* Begin;
   const unsigned char* Next;
   std::size_t Left;
   bool Sound = true;

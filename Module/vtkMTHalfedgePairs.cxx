@@ -1,204 +1,227 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTHalfedgePairs.h"
 
+#include "vtkMTRadixSort.h"
+
 #include <algorithm>
+#include <cstring>
 #include <memory>
+#include <utility>
 
 namespace
 {
 constexpr std::uint32_t None = vtkMTHalfedgePairs::None;
+constexpr std::uint32_t Odd = vtkMTHalfedgePairs::Odd;
+constexpr std::uint32_t Other = vtkMTHalfedgePairs::Other;
 
-// An edge in the list of those of its lower point.
-struct Edge
+// Half-edge h is one more at the edge of half-edge first.
+void Meet(std::uint32_t first, std::uint32_t h, std::uint32_t* partners)
 {
-  std::uint32_t High;     // its other point
-  std::uint32_t Halfedge; // the first one that runs along it
-  std::uint32_t Count;    // of these
-  std::uint32_t Next;     // in the list
+  const std::uint32_t partner = partners[first];
+  if (partner == None)
+  {
+    partners[first] = h;
+    partners[h] = first;
+    return;
+  }
+  partners[h] = Other;
+  if (partner < Other)
+  {
+    partners[partner] = Other;
+  }
+  partners[first] = partner == Odd ? Other : Odd;
+}
+
+// Whether two half-edges of one edge run in opposite directions and have different third points.
+bool AreOpposite(const std::uint32_t* corners, std::uint32_t g, std::uint32_t h)
+{
+  // Of triangles with two points in common: their third ones differ as the sums of all three do.
+  const std::uint32_t* s = corners + g / 3 * 3;
+  const std::uint32_t* t = corners + h / 3 * 3;
+  return corners[g] != corners[h] && s[0] + s[1] + s[2] != t[0] + t[1] + t[2];
+}
+
+// The first half-edge of every edge, chained by its lower point. OnlyOpposites: others are no partners.
+template <bool OnlyOpposites>
+class Chains
+{
+public:
+  Chains(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* partners)
+    : Corners(corners.data())
+    , First(points, None)
+    , Links(new Link[corners.size()])
+    , Partners(partners)
+  {
+  }
+
+  // Gives how many others were looked at.
+  std::size_t Take(std::uint32_t h, std::uint32_t from, std::uint32_t to)
+  {
+    const std::uint32_t low = std::min(from, to);
+    const std::uint32_t high = std::max(from, to);
+    std::size_t steps = 0;
+    for (std::uint32_t g = this->First[low]; g != None; g = this->Links[g].Next)
+    {
+      if (this->Links[g].High == high)
+      {
+        this->Join(g, h);
+        return steps;
+      }
+      ++steps;
+    }
+    this->Links[h] = { high, this->First[low] };
+    this->First[low] = h;
+    this->Partners[h] = None;
+    return steps;
+  }
+
+  // Whether there are half-edges with others that are no partners.
+  bool HasOthers() const { return this->Others; }
+
+private:
+  void Join(std::uint32_t first, std::uint32_t h)
+  {
+    const bool isSecond = this->Partners[first] == None;
+    this->Others = this->Others || !isSecond;
+    if (OnlyOpposites && isSecond && !AreOpposite(this->Corners, first, h))
+    {
+      this->Partners[first] = this->Partners[h] = Other;
+      this->Others = true;
+      return;
+    }
+    Meet(first, h, this->Partners);
+  }
+
+  struct Link
+  {
+    std::uint32_t High;
+    std::uint32_t Next;
+  };
+  const std::uint32_t* Corners;
+  std::vector<std::uint32_t> First; // by point
+  std::unique_ptr<Link[]> Links;    // of first half-edges; not cleared
+  std::uint32_t* Partners;
+  bool Others = false;
 };
 
-// In lists that are longer, as at hubs, no edge is looked for.
-constexpr int MostEdges = 32;
-
-// A half-edge in the bucket of its lower point.
-struct Entry
+enum class Found
 {
-  std::uint32_t High; // its other point
-  std::uint32_t Halfedge;
+  All,        // and every half-edge has a partner, or is alone
+  WithOthers, // there are half-edges with others that are no partners
+  NotAll      // chains are long: walks along them take more steps than sorting
 };
 
-// In buckets that are larger, as at hubs, entries are sorted.
-constexpr std::ptrdiff_t Few = 24;
-
-// Runs over the half-edges with their lower and higher point.
-template <typename Use>
-void ForAll(const std::vector<std::uint32_t>& corners, const Use& use)
+template <bool OnlyOpposites>
+Found FindByChains(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* partners)
 {
-  for (std::uint32_t h = 0; h + 2 < corners.size(); h += 3)
+  constexpr std::size_t manySteps = 16;
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  Chains<OnlyOpposites> chains(corners, points, partners);
+  std::size_t steps = 0;
+  for (std::uint32_t h = 0; h + 2 < count; h += 3)
   {
     const std::uint32_t a = corners[h];
     const std::uint32_t b = corners[h + 1];
     const std::uint32_t c = corners[h + 2];
-    use(h, std::min(a, b), std::max(a, b));
-    use(h + 1, std::min(b, c), std::max(b, c));
-    use(h + 2, std::min(c, a), std::max(c, a));
+    steps += chains.Take(h, a, b);
+    steps += chains.Take(h + 1, b, c);
+    steps += chains.Take(h + 2, c, a);
+    if (steps > manySteps * count)
+    {
+      return Found::NotAll;
+    }
   }
+  return chains.HasOthers() ? Found::WithOthers : Found::All;
 }
 
-// Two half-edges, the only ones between their points.
-void Pair(const std::vector<std::uint32_t>& corners, std::uint32_t g, std::uint32_t h, std::uint32_t* opposites)
+void FindBySorting(const std::vector<std::uint32_t>& corners, std::uint32_t* partners)
 {
-  const bool isOpposite = corners[g] != corners[h];
-  if (isOpposite && corners[vtkMTHalfedgePairs::Previous(g)] != corners[vtkMTHalfedgePairs::Previous(h)])
+  using Use = std::pair<std::uint64_t, std::uint32_t>; // an edge by its points, and the half-edge
+  std::vector<Use> uses;
+  std::vector<Use> scratch;
+  uses.reserve(corners.size());
+  for (std::uint32_t h = 0; h < corners.size(); ++h)
   {
-    opposites[g] = h;
-    opposites[h] = g;
+    const auto [low, high] = std::minmax(corners[h], corners[vtkMTHalfedgePairs::Next(h)]);
+    uses.emplace_back((std::uint64_t(low) << 32) | high, h);
   }
-}
-
-// Pairs half-edges as they come. False where some list has become too long.
-class Lists
-{
-public:
-  Lists(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* opposites)
-    : Corners(corners)
-    , Opposites(opposites)
-    , Heads(points, None)
-    , Edges(new Edge[corners.size()])
+  vtkMTRadixSort::Sort(uses, scratch, [](const Use& use) { return use.first; });
+  for (std::size_t i = 0, first = 0; i < uses.size(); ++i)
   {
-  }
-
-  bool PairAll()
-  {
-    bool isDone = true;
-    for (std::uint32_t h = 0; isDone && h + 2 < this->Corners.size(); h += 3)
+    const bool isFirst = i == 0 || uses[i].first != uses[first].first;
+    first = isFirst ? i : first;
+    if (isFirst)
     {
-      const std::uint32_t a = this->Corners[h];
-      const std::uint32_t b = this->Corners[h + 1];
-      const std::uint32_t c = this->Corners[h + 2];
-      isDone = this->Put(h, std::min(a, b), std::max(a, b)) && this->Put(h + 1, std::min(b, c), std::max(b, c)) &&
-        this->Put(h + 2, std::min(c, a), std::max(c, a));
+      partners[uses[i].second] = None;
     }
-    return isDone;
-  }
-
-private:
-  bool Put(std::uint32_t h, std::uint32_t low, std::uint32_t high)
-  {
-    int looks = 0;
-    for (std::uint32_t e = this->Heads[low]; e != None; e = this->Edges[e].Next)
+    else
     {
-      if (this->Edges[e].High == high)
-      {
-        this->Join(this->Edges[e], h);
-        return true;
-      }
-      if (++looks > MostEdges)
-      {
-        return false;
-      }
-    }
-    this->Edges[this->Used] = { high, h, 1, this->Heads[low] };
-    this->Heads[low] = this->Used++;
-    return true;
-  }
-
-  void Join(Edge& edge, std::uint32_t h)
-  {
-    if (++edge.Count == 2)
-    {
-      Pair(this->Corners, edge.Halfedge, h, this->Opposites);
-    }
-    else if (this->Opposites[edge.Halfedge] != None)
-    {
-      this->Opposites[this->Opposites[edge.Halfedge]] = None;
-      this->Opposites[edge.Halfedge] = None;
-    }
-  }
-
-  const std::vector<std::uint32_t>& Corners;
-  std::uint32_t* Opposites;
-  std::vector<std::uint32_t> Heads; // [points] the edge that came last
-  std::unique_ptr<Edge[]> Edges;
-  std::uint32_t Used = 0;
-};
-
-// What a bucket of few holds: each entry is compared with all behind it, and taken out with those that are like it.
-void PairFew(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
-{
-  while (end - begin > 1)
-  {
-    const Entry first = *begin++;
-    std::uint32_t partner = vtkMTHalfedgePairs::None;
-    std::size_t others = 0;
-    for (Entry* entry = begin; entry < end;)
-    {
-      if (entry->High != first.High)
-      {
-        ++entry;
-        continue;
-      }
-      partner = entry->Halfedge;
-      ++others;
-      *entry = *--end;
-    }
-    if (others == 1)
-    {
-      Pair(corners, first.Halfedge, partner, opposites);
+      Meet(uses[first].second, uses[i].second, partners);
     }
   }
 }
 
-void PairMany(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* end, std::uint32_t* opposites)
+std::vector<std::uint32_t> FindPartners(const std::vector<std::uint32_t>& corners, std::size_t points)
 {
-  std::sort(begin, end, [](const Entry& a, const Entry& b) { return a.High < b.High; });
-  while (begin < end)
+  std::vector<std::uint32_t> partners(corners.size());
+  if (FindByChains<false>(corners, points, partners.data()) == Found::NotAll)
   {
-    const Entry* last = std::find_if(begin, end, [&](const Entry& entry) { return entry.High != begin->High; });
-    if (last - begin == 2)
-    {
-      Pair(corners, begin[0].Halfedge, begin[1].Halfedge, opposites);
-    }
-    begin += last - begin;
+    FindBySorting(corners, partners.data());
   }
-}
-
-// The same for any mesh.
-void PairInBuckets(const std::vector<std::uint32_t>& corners, std::size_t points, std::uint32_t* opposites)
-{
-  std::vector<std::uint32_t> next(points + 1, 0);
-  ForAll(corners, [&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++next[low + 1]; });
-  for (std::size_t p = 1; p < next.size(); ++p)
-  {
-    next[p] += next[p - 1];
-  }
-  std::vector<Entry> entries(corners.size());
-  ForAll(corners, [&](std::uint32_t h, std::uint32_t low, std::uint32_t high) { entries[next[low]++] = { high, h }; });
-  std::uint32_t begin = 0; // of each bucket, whose end is where the next entry would have gone
-  for (std::size_t p = 0; p + 1 < next.size(); ++p)
-  {
-    Entry* const first = entries.data() + begin;
-    Entry* const last = entries.data() + next[p];
-    last - first > Few ? PairMany(corners, first, last, opposites) : PairFew(corners, first, last, opposites);
-    begin = next[p];
-  }
+  return partners;
 }
 }
 
 //------------------------------------------------------------------------------
+vtkMTHalfedgePairs::vtkMTHalfedgePairs(const vtkMTPatch& mesh)
+{
+  this->Corners.resize(3 * mesh.Triangles.size());
+  std::uint32_t* corner = this->Corners.data();
+  for (const vtkMTTriangle& wedges : mesh.Triangles)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      *corner++ = mesh.WedgePoints.empty() ? wedges[c] : mesh.WedgePoints[wedges[c]];
+    }
+  }
+  this->Partners = FindPartners(this->Corners, mesh.Points.size());
+}
+
+vtkMTHalfedgePairs::vtkMTHalfedgePairs(const std::vector<vtkMTTriangle>& triangles, std::size_t points)
+  : Corners(3 * triangles.size())
+{
+  static_assert(sizeof(vtkMTTriangle) == 3 * sizeof(std::uint32_t), "triangles must be their corners");
+  if (!triangles.empty())
+  {
+    std::memcpy(this->Corners.data(), triangles.data(), triangles.size() * sizeof(vtkMTTriangle));
+  }
+  this->Partners = FindPartners(this->Corners, points);
+}
+
 std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
 {
-  std::vector<std::uint32_t> opposites(corners.size(), None);
-  std::uint32_t highest = 0;
-  for (const std::uint32_t point : corners)
+  std::uint32_t largest = 0;
+  for (const std::uint32_t corner : corners)
   {
-    highest = std::max(highest, point);
+    largest = std::max(largest, corner);
   }
-  const std::size_t points = corners.empty() ? 0 : highest + std::size_t(1);
-  if (!Lists(corners, points, opposites.data()).PairAll())
+  std::vector<std::uint32_t> opposites(corners.size());
+  const Found found = FindByChains<true>(corners, largest + std::size_t(1), opposites.data());
+  if (found == Found::NotAll)
   {
-    std::fill(opposites.begin(), opposites.end(), None);
-    PairInBuckets(corners, points, opposites.data());
+    FindBySorting(corners, opposites.data());
+  }
+  for (std::uint32_t h = 0; h < opposites.size() && found != Found::All; ++h)
+  {
+    const std::uint32_t partner = opposites[h];
+    if (partner >= Other)
+    {
+      opposites[h] = None;
+    }
+    else if (h < partner && !::AreOpposite(corners.data(), h, partner))
+    {
+      opposites[h] = opposites[partner] = None;
+    }
   }
   return opposites;
 }

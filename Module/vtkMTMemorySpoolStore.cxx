@@ -29,7 +29,7 @@ struct Storage
     : Holder(std::move(account))
   {
   }
-  ~Storage() { this->Holder->Size -= this->Size; }
+  ~Storage() { this->Holder->Size -= this->Size - this->Forgotten; }
   Storage(const Storage&) = delete;
   void operator=(const Storage&) = delete;
 
@@ -42,10 +42,12 @@ struct Storage
       if (begin == 0)
       {
         this->Pieces.emplace_back(new unsigned char[PieceSize]);
+        this->Needed.push_back(0);
       }
       const std::size_t count = std::min(size, PieceSize - begin);
       std::memcpy(this->Pieces.back().get() + begin, from, count);
       this->Size += count;
+      this->Needed.back() += count;
       from += count;
       size -= count;
     }
@@ -71,7 +73,28 @@ struct Storage
     return isInOne && size > 0 ? this->Pieces[offset / PieceSize].get() + begin : nullptr;
   }
 
+  // A part goes when all of it has been forgotten.
+  void Forget(std::uint64_t offset, std::uint64_t size)
+  {
+    const std::uint64_t end = std::min(offset + size, this->Size);
+    while (offset < end)
+    {
+      const std::size_t piece = offset / PieceSize;
+      const std::uint64_t count = std::min(end, (piece + 1) * std::uint64_t(PieceSize)) - offset;
+      this->Needed[piece] -= count;
+      this->Forgotten += count;
+      this->Holder->Size -= count;
+      if (this->Needed[piece] == 0 && (piece + 1 < this->Pieces.size() || this->Size % PieceSize == 0))
+      {
+        this->Pieces[piece].reset();
+      }
+      offset += count;
+    }
+  }
+
   std::vector<std::unique_ptr<unsigned char[]>> Pieces;
+  std::vector<std::uint64_t> Needed; // bytes of each part
+  std::uint64_t Forgotten = 0;
   std::uint64_t Size = 0;
   std::shared_ptr<Account> Holder;
 };
@@ -113,6 +136,9 @@ public:
   {
     return this->Bytes->Find(offset, size);
   }
+
+  bool IsInMemory() const override { return true; }
+  void Forget(std::uint64_t offset, std::size_t size) override { this->Bytes->Forget(offset, size); }
 
   std::uint64_t GetSize() const override { return this->Bytes->Size; }
 

@@ -3,7 +3,8 @@
  * @class vtkMTMemorySpoolStore
  * @brief a store whose spools are in memory, for meshes that fit
  *
- * Nothing outlives the process: Commit has no effect. Spools grow in blocks of 1 MiB, without copying.
+ * Nothing outlives the process: Commit has no effect. Spools grow in blocks of 1 MiB, without copying,
+ * and give up those of which everything was forgotten.
  */
 #ifndef vtkMTMemorySpoolStore_h
 #define vtkMTMemorySpoolStore_h

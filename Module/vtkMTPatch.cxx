@@ -20,10 +20,11 @@ vtkMTBox vtkMTPatch::GetBox() const
   }
   for (std::size_t p = 0; p < isUsed.size(); ++p)
   {
-    for (std::size_t i = 0; i < 3 && isUsed[p] != 0; ++i)
+    if (isUsed[p] != 0)
     {
-      low[i] = std::min(low[i], this->Points[p][i]);
-      high[i] = std::max(high[i], this->Points[p][i]);
+      const vtkMTPoint& x = this->Points[p];
+      low = { std::min(low[0], x[0]), std::min(low[1], x[1]), std::min(low[2], x[2]) };
+      high = { std::max(high[0], x[0]), std::max(high[1], x[1]), std::max(high[2], x[2]) };
     }
   }
   return this->Triangles.empty() ? vtkMTBox{ 0, -1, 0, -1, 0, -1 }

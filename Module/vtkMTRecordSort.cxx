@@ -1,18 +1,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTRecordSort.h"
 
-#include "vtkMTRadixSort.h"
 #include "vtkMTRelease.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <queue>
 
 namespace
 {
-// Per record of a run in memory, beside the record: key and index, twice.
-constexpr std::size_t OrderSize = 2 * sizeof(std::pair<std::uint64_t, std::uint32_t>);
+// A key and where its record is.
+struct Item
+{
+  std::uint64_t Key;
+  std::uint32_t Index;
+};
+
+// Per record of a run in memory, beside the record.
+constexpr std::size_t OrderSize = 2 * sizeof(Item);
 constexpr std::size_t LeastRunBuffer = std::size_t(1) << 16;
+constexpr std::size_t ShortList = 1024; // counting takes longer
 constexpr std::size_t WriteBuffer = std::size_t(1) << 18;
+
+// The digits by which keys are sorted: from the least bit in which keys differ, so many bits, and so on.
+struct Digits
+{
+  static constexpr unsigned Bits = 11;
+  static constexpr std::size_t Values = std::size_t(1) << Bits;
+
+  std::array<unsigned, 64 / Bits + 1> Shifts{};
+  unsigned Count = 0;
+
+  explicit Digits(std::uint64_t varying)
+  {
+    for (unsigned shift = 0; shift < 64 && (varying >> shift) != 0;)
+    {
+      if (((varying >> shift) & 1) == 0)
+      {
+        ++shift;
+        continue;
+      }
+      this->Shifts[this->Count++] = shift;
+      shift += Bits;
+    }
+  }
+  static std::size_t Get(std::uint64_t key, unsigned shift) { return (key >> shift) & (Values - 1); }
+};
+
+// Sorts by one digit: get(i) gives the items in their present order, put(place, item) takes them.
+template <typename Get, typename Put>
+void SortByDigit(std::size_t count, unsigned shift, Get&& get, Put&& put)
+{
+  std::array<std::uint32_t, Digits::Values> places{};
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ++places[Digits::Get(get(i).Key, shift)];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& place : places)
+  {
+    const std::uint32_t number = place;
+    place = sum;
+    sum += number;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Item item = get(i);
+    put(places[Digits::Get(item.Key, shift)]++, item);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -146,21 +203,20 @@ vtkMTRecordSort::~vtkMTRecordSort() = default;
 bool vtkMTRecordSort::Add(const void* records, std::size_t count)
 {
   const unsigned char* bytes = static_cast<const unsigned char*>(records);
-  const std::size_t all = this->Capacity * this->RecordSize;
+  const std::size_t all = std::max<std::size_t>(this->Capacity, 1) * this->RecordSize;
   for (std::size_t left = count * this->RecordSize; left > 0;)
   {
-    if (this->Buffer.size() >= all && !this->WriteRun())
+    if (this->BufferSize >= all && !this->WriteRun())
     {
       return false;
     }
-    const std::size_t size = std::min(left, std::max(all - this->Buffer.size(), this->RecordSize));
-    if (this->Buffer.size() + size > this->Buffer.capacity())
+    const std::size_t size = std::min(left, all - this->BufferSize);
+    if (this->BufferSize + size > this->BufferCapacity && !this->Grow(size))
     {
-      // Twice as much, or all at once: never more than half as much again while it is copied.
-      const std::size_t twice = std::max(2 * this->Buffer.size(), std::max(size, 64 * this->RecordSize));
-      this->Buffer.reserve(2 * twice > all ? std::max(all, size) : twice);
+      return false;
     }
-    this->Buffer.insert(this->Buffer.end(), bytes, bytes + size);
+    std::memcpy(this->Buffer.get() + this->BufferSize, bytes, size);
+    this->BufferSize += size;
     bytes += size;
     left -= size;
   }
@@ -168,16 +224,75 @@ bool vtkMTRecordSort::Add(const void* records, std::size_t count)
   return true;
 }
 
+// So that there is room for more bytes.
+bool vtkMTRecordSort::Grow(std::size_t size)
+{
+  // Twice as much, or all at once: never more than half as much again, should it be copied.
+  const std::size_t all = std::max<std::size_t>(this->Capacity, 1) * this->RecordSize;
+  const std::size_t twice = std::max(2 * this->BufferSize, std::max(size, 64 * this->RecordSize));
+  const std::size_t capacity = std::min(2 * twice > all ? all : std::max(twice, this->BufferSize + size), all);
+  auto* grown = static_cast<unsigned char*>(std::realloc(this->Buffer.get(), capacity));
+  if (!grown)
+  {
+    this->Error = "there is not enough memory";
+    return false;
+  }
+  this->Buffer.release(); // realloc has taken it
+  this->Buffer.reset(grown);
+  this->BufferCapacity = capacity;
+  return true;
+}
+
 void vtkMTRecordSort::SortBuffer()
 {
-  const std::size_t count = this->Buffer.size() / this->RecordSize;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> scratch;
-  this->Order.resize(count);
+  const std::size_t count = this->BufferSize / this->RecordSize;
+  std::uint64_t ones = 0;
+  std::uint64_t zeros = 0;
+  std::uint64_t last = 0;
+  bool isSorted = true;
+  const auto getRecord = [this](std::size_t i) {
+    return Item{ GetKey(this->Buffer.get() + i * this->RecordSize), static_cast<std::uint32_t>(i) };
+  };
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Order[i] = { GetKey(this->Buffer.data() + i * this->RecordSize), static_cast<std::uint32_t>(i) };
+    const std::uint64_t key = getRecord(i).Key;
+    ones |= key;
+    zeros |= ~key;
+    isSorted = isSorted && last <= key;
+    last = key;
   }
-  vtkMTRadixSort::Sort(this->Order, scratch, [](const auto& item) { return item.first; });
+  this->Order.reset();
+  if (isSorted)
+  {
+    return;
+  }
+  this->Order.reset(new std::uint32_t[count]);
+  if (count < ShortList)
+  {
+    std::iota(this->Order.get(), this->Order.get() + count, 0u);
+    std::stable_sort(this->Order.get(), this->Order.get() + count,
+      [&getRecord](std::uint32_t a, std::uint32_t b) { return getRecord(a).Key < getRecord(b).Key; });
+    return;
+  }
+  const Digits digits(ones & zeros);
+  const auto putOrder = [this](std::size_t place, const Item& item) { this->Order[place] = item.Index; };
+  if (digits.Count == 1)
+  {
+    SortByDigit(count, digits.Shifts[0], getRecord, putOrder);
+    return;
+  }
+  std::unique_ptr<Item[]> items(new Item[count]);
+  std::unique_ptr<Item[]> scratch(new Item[digits.Count > 2 ? count : 0]);
+  const auto getItem = [&items](std::size_t i) { return items[i]; };
+  SortByDigit(
+    count, digits.Shifts[0], getRecord, [&items](std::size_t place, const Item& item) { items[place] = item; });
+  for (unsigned digit = 1; digit + 1 < digits.Count; ++digit)
+  {
+    SortByDigit(
+      count, digits.Shifts[digit], getItem, [&scratch](std::size_t place, const Item& item) { scratch[place] = item; });
+    items.swap(scratch);
+  }
+  SortByDigit(count, digits.Shifts[digits.Count - 1], getItem, putOrder);
 }
 
 bool vtkMTRecordSort::WriteRun()
@@ -191,14 +306,15 @@ bool vtkMTRecordSort::WriteRun()
     }
   }
   this->SortBuffer();
+  const std::size_t count = this->BufferSize / this->RecordSize;
   const std::uint64_t begin = this->Spool->GetSize();
   std::vector<unsigned char> sorted;
   sorted.reserve(WriteBuffer + this->RecordSize);
-  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const unsigned char* record = this->Buffer.data() + this->Order[i].second * this->RecordSize;
+    const unsigned char* record = this->GetSorted(i);
     sorted.insert(sorted.end(), record, record + this->RecordSize);
-    if (sorted.size() >= WriteBuffer || i + 1 == this->Order.size())
+    if (sorted.size() >= WriteBuffer || i + 1 == count)
     {
       if (!this->Spool->Append(sorted.data(), sorted.size(), this->Error))
       {
@@ -208,8 +324,8 @@ bool vtkMTRecordSort::WriteRun()
     }
   }
   this->Runs.push_back({ begin, this->Spool->GetSize() });
-  vtkMTRelease(this->Order);
-  this->Buffer.clear();
+  this->Order.reset();
+  this->BufferSize = 0;
   return true;
 }
 
@@ -269,11 +385,12 @@ bool vtkMTRecordSort::Finish()
     this->SortBuffer();
     return true;
   }
-  if ((!this->Buffer.empty() && !this->WriteRun()))
+  if (this->BufferSize > 0 && !this->WriteRun())
   {
     return false;
   }
-  vtkMTRelease(this->Buffer);
+  this->Buffer.reset();
+  this->BufferCapacity = 0;
   if (!this->MergeGroups())
   {
     return false;
@@ -288,15 +405,15 @@ const unsigned char* vtkMTRecordSort::Next()
   {
     return this->HasFailed() ? nullptr : this->Merger->Next(this->Error);
   }
-  if (this->NextInBuffer == this->Order.size())
+  if (this->NextInBuffer * this->RecordSize == this->BufferSize)
   {
     return nullptr;
   }
-  return this->Buffer.data() + this->Order[this->NextInBuffer++].second * this->RecordSize;
+  return this->GetSorted(this->NextInBuffer++);
 }
 
 std::size_t vtkMTRecordSort::GetMemorySize() const
 {
-  return this->Buffer.capacity() + this->Order.capacity() * sizeof(this->Order[0]) +
+  return this->BufferCapacity + (this->Order ? this->BufferSize / this->RecordSize * sizeof(std::uint32_t) : 0) +
     (this->Merger ? this->Merger->GetMemorySize() : 0);
 }

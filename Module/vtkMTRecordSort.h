@@ -5,9 +5,10 @@
  *
  * Records begin with their key, eight bytes in the machine's order. They are added in any order and given back in
  * increasing order of key, equal ones in the order in which they were added: the result depends on nothing else, the
- * memory least of all. What does not fit is sorted in runs (radix sort, least digit first; digits that all keys share
- * are passed over), the runs go to a nameless spool, and are merged through one buffer each (Knuth, TAOCP 3, section
- * 5.4). When there are more runs than buffers of 64 KiB fit, groups of runs are merged to longer ones first.
+ * memory least of all. What does not fit is sorted in runs (radix sort, least digit first; bits that all keys share are
+ * passed over, so keys of a small range are counted once), the runs go to a nameless spool, and are merged through one
+ * buffer each (Knuth, TAOCP 3, section 5.4). When there are more runs than buffers of 64 KiB fit, groups of runs are
+ * merged to longer ones first.
  *
  * Memory: at most what is given, and at least MinimumMemory. While nothing has been written, what was added is all that
  * is held. One thread.
@@ -19,10 +20,10 @@
 #include "vtkMTSpoolStore.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 class VTKMTCORE_EXPORT vtkMTRecordSort
@@ -64,7 +65,12 @@ private:
   };
   class Merge;
 
+  bool Grow(std::size_t size);
   void SortBuffer();
+  const unsigned char* GetSorted(std::size_t place) const
+  {
+    return this->Buffer.get() + (this->Order ? this->Order[place] : place) * this->RecordSize;
+  }
   bool WriteRun();
   bool MergeGroups();
   std::size_t GetFanIn() const;
@@ -74,8 +80,14 @@ private:
   const std::size_t Memory;
   const std::size_t Capacity; // records
   std::string Error;
-  std::vector<unsigned char> Buffer;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> Order;
+  struct Free
+  {
+    void operator()(unsigned char* bytes) const { std::free(bytes); }
+  };
+  std::unique_ptr<unsigned char, Free> Buffer; // of malloc: large blocks grow where they are
+  std::size_t BufferSize = 0;                  // bytes
+  std::size_t BufferCapacity = 0;
+  std::unique_ptr<std::uint32_t[]> Order; // records of the buffer, sorted; null: as they are
   std::unique_ptr<vtkMTSpool> Spool;
   std::vector<Run> Runs;
   std::unique_ptr<Merge> Merger;

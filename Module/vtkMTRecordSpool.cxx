@@ -9,7 +9,7 @@
 namespace
 {
 constexpr std::size_t BufferSize = std::size_t(1) << 20;
-constexpr std::size_t LargeRecord = std::size_t(1) << 16; // is not copied into the buffer
+constexpr std::size_t LargeRecord = std::size_t(1) << 13; // is not copied into the buffer
 }
 
 vtkMTRecordSpool::vtkMTRecordSpool() = default;
@@ -35,6 +35,9 @@ bool vtkMTRecordSpool::Put(std::size_t key, const void* data, std::size_t size, 
       std::to_string(this->GetNumberOfKeys());
     return false;
   }
+  // At a multiple of 8 bytes, so that lists are there where their values may be.
+  const auto end = static_cast<std::size_t>((this->Spool->GetSize() + this->Buffer.size()) % vtkMTBytes::Alignment);
+  this->Buffer.resize(this->Buffer.size() + (vtkMTBytes::Alignment - end) % vtkMTBytes::Alignment);
   this->Entries.push_back({ this->Spool->GetSize() + this->Buffer.size(), static_cast<std::uint32_t>(size),
     static_cast<std::uint32_t>(key) });
   if (size >= LargeRecord)
@@ -119,6 +122,17 @@ bool vtkMTRecordSpool::Take(std::size_t key, std::size_t place, vtkMTBytes::Reco
     return false;
   }
   return this->Take(this->Entries[this->First[key] + place], record, error);
+}
+
+void vtkMTRecordSpool::Forget(std::size_t key)
+{
+  for (std::uint32_t i = this->First[key]; i < this->First[key + 1]; ++i)
+  {
+    // With what is between it and the next one.
+    const Entry& entry = this->Entries[i];
+    const std::size_t size = entry.Size + vtkMTBytes::Alignment - 1;
+    this->Spool->Forget(entry.Offset, size - size % vtkMTBytes::Alignment);
+  }
 }
 
 std::uint64_t vtkMTRecordSpool::GetSize(std::size_t key) const

@@ -38,6 +38,8 @@ public:
   bool Take(std::size_t key, std::vector<vtkMTBytes::Record>& records, std::string& error) const;
   /// One of the key's records, by its place in that order.
   bool Take(std::size_t key, std::size_t place, vtkMTBytes::Record& record, std::string& error) const;
+  /// The key's records will not be taken again: see vtkMTSpool::Forget.
+  void Forget(std::size_t key);
   /// Bytes of the key's records together.
   std::uint64_t GetSize(std::size_t key) const;
   std::size_t GetNumberOfKeys() const { return this->First.empty() ? 0 : this->First.size() - 1; }

@@ -32,6 +32,10 @@ public:
   /// other.
   virtual const unsigned char* Find(std::uint64_t, std::size_t) const { return nullptr; }
   virtual std::uint64_t GetSize() const = 0;
+  /// Whether its bytes lie in memory, so that reading a few of them anywhere costs little.
+  virtual bool IsInMemory() const { return false; }
+  /// Those bytes will not be read again: a spool in memory may give up what holds them. From one thread at a time.
+  virtual void Forget(std::uint64_t, std::size_t) {}
 };
 
 #endif

@@ -8,7 +8,16 @@
 
 namespace
 {
-constexpr std::size_t BlockSize = 65536;
+constexpr std::size_t BlockSize = 8192;
+constexpr std::size_t Many = 1024; // are not copied into the buffer
+constexpr std::size_t BlocksPerQuestion = 8;
+
+vtkMTBarycentreSpool::Barycentre GetBarycentre(const vtkMTPoint& a, const vtkMTPoint& b, const vtkMTPoint& c)
+{
+  // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
+  const auto third = [&](int i) { return static_cast<double>(std::int64_t(a[i]) + b[i] + c[i]) / 3.0; };
+  return { third(0), third(1), third(2) };
+}
 }
 
 vtkMTBarycentreSpool::vtkMTBarycentreSpool() = default;
@@ -21,14 +30,30 @@ std::vector<vtkMTBarycentreSpool::Barycentre> vtkMTBarycentreSpool::GetBarycentr
   for (std::size_t t = 0; t < result.size(); ++t)
   {
     const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    for (int i = 0; i < 3; ++i)
-    {
-      // A sum of three integers is exact, so the barycentre does not depend on the order of the corners.
-      const std::int64_t sum = std::int64_t(mesh.Points[p[0]][i]) + mesh.Points[p[1]][i] + mesh.Points[p[2]][i];
-      result[t][i] = static_cast<double>(sum) / 3.0;
-    }
+    result[t] = GetBarycentre(mesh.Points[p[0]], mesh.Points[p[1]], mesh.Points[p[2]]);
   }
   return result;
+}
+
+void vtkMTBarycentreSpool::PutBarycentres(const vtkMTPatchRecord::Shape& mesh, Barycentre* to)
+{
+  const vtkMTPoint* points = mesh.Points.data();
+  const vtkMTTriangle* triangles = mesh.Triangles.data();
+  if (points && triangles && mesh.WedgePoints.empty()) // as most of them are
+  {
+    for (const vtkMTTriangle* t = triangles; t < triangles + mesh.Triangles.size(); ++t)
+    {
+      *to++ = GetBarycentre(points[(*t)[0]], points[(*t)[1]], points[(*t)[2]]);
+    }
+    return;
+  }
+  const auto getPoint = [&mesh](std::uint32_t wedge)
+  { return mesh.Points[mesh.WedgePoints.empty() ? wedge : mesh.WedgePoints[wedge]]; };
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    const vtkMTTriangle w = mesh.Triangles[t];
+    *to++ = GetBarycentre(getPoint(w[0]), getPoint(w[1]), getPoint(w[2]));
+  }
 }
 
 bool vtkMTBarycentreSpool::Begin(vtkMTSpoolStore& store, const std::string& name, std::string& error)
@@ -42,14 +67,20 @@ bool vtkMTBarycentreSpool::Begin(vtkMTSpoolStore& store, const std::string& name
 
 bool vtkMTBarycentreSpool::Put(const std::vector<Barycentre>& barycentres, std::string& error)
 {
-  this->Buffer.insert(this->Buffer.end(), barycentres.begin(), barycentres.end());
-  if (this->Buffer.size() < BlockSize)
+  const bool areMany = barycentres.size() >= Many;
+  if (!areMany && this->Buffer.size() < BlockSize)
   {
+    this->Buffer.insert(this->Buffer.end(), barycentres.begin(), barycentres.end());
     return true;
   }
-  const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
+  const bool flushed = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
   this->Buffer.clear();
-  return done;
+  if (areMany)
+  {
+    return flushed && this->Spool->Append(barycentres.data(), barycentres.size() * sizeof(Barycentre), error);
+  }
+  this->Buffer = barycentres;
+  return flushed;
 }
 
 bool vtkMTBarycentreSpool::Seal(std::string& error)
@@ -57,15 +88,6 @@ bool vtkMTBarycentreSpool::Seal(std::string& error)
   const bool done = this->Spool->Append(this->Buffer.data(), this->Buffer.size() * sizeof(Barycentre), error);
   vtkMTRelease(this->Buffer);
   return done;
-}
-
-bool vtkMTBarycentreSpool::Open(
-  vtkMTSpoolStore& store, const std::string& name, std::uint64_t triangles, std::string& error)
-{
-  this->Store = &store;
-  this->Name = name;
-  this->Spool = store.Open(name, triangles * sizeof(Barycentre), error);
-  return this->Spool != nullptr;
 }
 
 void vtkMTBarycentreSpool::Remove()
@@ -86,20 +108,27 @@ bool vtkMTBarycentreSpool::Scan(const Block& block)
 {
   this->Error.clear();
   const std::size_t count = this->GetNumberOfTriangles();
-  std::vector<Barycentre> barycentres(std::min(BlockSize, count));
+  std::vector<Barycentre> copies;
   for (std::size_t begin = 0; begin < count; begin += BlockSize)
   {
     const std::size_t size = std::min(BlockSize, count - begin);
-    if (this->Continue && !this->Continue())
+    if (this->Continue && begin % (BlocksPerQuestion * BlockSize) == 0 && !this->Continue())
     {
       this->Error = "aborted";
       return false;
     }
-    if (!this->Spool->Read(begin * sizeof(Barycentre), size * sizeof(Barycentre), barycentres.data(), this->Error))
+    const std::uint64_t offset = begin * std::uint64_t(sizeof(Barycentre));
+    if (const unsigned char* bytes = this->Spool->Find(offset, size * sizeof(Barycentre)))
+    {
+      block(reinterpret_cast<const Barycentre*>(bytes), size); // its bytes begin where any type may
+      continue;
+    }
+    copies.resize(size);
+    if (!this->Spool->Read(offset, size * sizeof(Barycentre), copies.data(), this->Error))
     {
       return false;
     }
-    block(barycentres.data(), size);
+    block(copies.data(), size);
   }
   return true;
 }

@@ -1,94 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTBorderOrder.h"
 
-#include "vtkMTRadixSort.h"
+#include "vtkMTHalfedgePairs.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace
 {
-std::uint64_t Join(std::uint32_t high, std::uint32_t low)
+std::uint64_t Join(std::uint32_t a, std::uint32_t b)
 {
-  return (std::uint64_t(high) << 32) | low;
+  return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
 }
 
-// Edges that were met an odd number of times, in a table with open addressing.
-class OddEdges
+// The finaliser of SplitMix64.
+std::uint64_t Hash(std::uint64_t number)
 {
-public:
-  explicit OddEdges(std::size_t edges)
-  {
-    while ((std::size_t(1) << this->Bits) < 2 * edges)
-    {
-      ++this->Bits;
-    }
-    this->Keys.assign(std::size_t(1) << this->Bits, None);
-    this->IsOdd.assign(this->Keys.size(), 0);
-  }
-
-  void Meet(std::uint64_t edge)
-  {
-    std::size_t at = static_cast<std::size_t>((edge * 0x9E3779B97F4A7C15u) >> (64 - this->Bits));
-    while (this->Keys[at] != edge && this->Keys[at] != None)
-    {
-      at = (at + 1) & (this->Keys.size() - 1);
-    }
-    this->Keys[at] = edge;
-    this->IsOdd[at] ^= 1;
-  }
-
-  template <typename Function>
-  void ForAll(Function&& function) const
-  {
-    for (std::size_t i = 0; i < this->Keys.size(); ++i)
-    {
-      if (this->IsOdd[i] != 0)
-      {
-        function(this->Keys[i]);
-      }
-    }
-  }
-
-private:
-  static constexpr std::uint64_t None = ~std::uint64_t(0); // no edge: its ends would be equal
-  unsigned Bits = 4;
-  std::vector<std::uint64_t> Keys;
-  std::vector<unsigned char> IsOdd;
-};
-
-// Every border edge twice, from either end, sorted.
-std::vector<std::uint64_t> FindBorderEdges(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& triangles)
-{
-  OddEdges edges(3 * triangles.size());
-  for (const std::uint32_t t : triangles)
-  {
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    for (int c = 0; c < 3; ++c)
-    {
-      const auto [low, high] = std::minmax(p[c], p[(c + 1) % 3]);
-      if (low != high)
-      {
-        edges.Meet(Join(low, high));
-      }
-    }
-  }
-  std::vector<std::uint64_t> border;
-  edges.ForAll(
-    [&border](std::uint64_t edge)
-    {
-      border.push_back(edge);
-      border.push_back((edge << 32) | (edge >> 32));
-    });
-  std::vector<std::uint64_t> scratch;
-  vtkMTRadixSort::Sort(border, scratch);
-  return border;
-}
+  std::uint64_t hash = (number + 1) * 0x9e3779b97f4a7c15u;
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+  return hash ^ (hash >> 31);
 }
 
-std::vector<std::uint32_t> vtkMTBorderOrder::Find(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& triangles)
+// Leaves those that are there an odd number of times, once.
+void KeepOdd(std::vector<std::uint64_t>& edges)
 {
-  const std::vector<std::uint64_t> edges = FindBorderEdges(mesh, triangles);
+  std::sort(edges.begin(), edges.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end)
+  {
+    while (end < edges.size() && edges[end] == edges[i])
+    {
+      ++end;
+    }
+    edges[kept] = edges[i];
+    kept += (end - i) % 2;
+  }
+  edges.resize(kept);
+}
+
+// Walks along edges, each given once.
+std::vector<std::uint32_t> Walk(std::vector<std::uint64_t>& edges)
+{
+  const std::size_t count = edges.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    edges.push_back((edges[i] << 32) | (edges[i] >> 32));
+  }
+  std::sort(edges.begin(), edges.end()); // from either end
   const auto getFrom = [&edges](std::size_t i) { return static_cast<std::uint32_t>(edges[i] >> 32); };
   const auto findFirst = [&edges](std::uint32_t point)
   {
@@ -117,10 +76,83 @@ std::vector<std::uint32_t> vtkMTBorderOrder::Find(const vtkMTPatch& mesh, const 
   }
   return order;
 }
+}
+
+std::vector<std::uint32_t> vtkMTBorderOrder::Find(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs)
+{
+  std::vector<std::uint64_t> edges;
+  for (std::uint32_t h = 0; h < pairs.Partners.size(); ++h)
+  {
+    if (pairs.Partners[h] >= vtkMTHalfedgePairs::Odd)
+    {
+      const std::uint32_t from = pairs.Corners[h];
+      const std::uint32_t to = pairs.Corners[vtkMTHalfedgePairs::Next(h)];
+      if (from != to && std::max(from, to) < mesh.Points.size())
+      {
+        edges.push_back(Join(from, to));
+      }
+    }
+  }
+  return Walk(edges);
+}
 
 std::vector<std::uint32_t> vtkMTBorderOrder::Find(const vtkMTPatch& mesh)
 {
-  std::vector<std::uint32_t> all(mesh.Triangles.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return Find(mesh, all);
+  return Find(mesh, vtkMTHalfedgePairs(mesh));
+}
+
+//------------------------------------------------------------------------------
+vtkMTBorderOrder::vtkMTBorderOrder(const vtkMTPatch& mesh)
+  : Mesh(mesh)
+  , Hashes(mesh.Points.size())
+  , Left(mesh.Points.size(), 0)
+{
+  for (std::size_t p = 0; p < this->Hashes.size(); ++p)
+  {
+    this->Hashes[p] = Hash(p);
+  }
+}
+
+void vtkMTBorderOrder::FindOddEdges(const std::vector<std::uint32_t>& triangles, std::vector<std::uint64_t>& edges)
+{
+  for (const std::uint32_t t : triangles)
+  {
+    const vtkMTTriangle p = this->Mesh.GetPointsOfTriangle(t);
+    const std::uint64_t hashes[3] = { this->Hashes[p[0]], this->Hashes[p[1]], this->Hashes[p[2]] };
+    this->Left[p[0]] ^= hashes[1] ^ hashes[2];
+    this->Left[p[1]] ^= hashes[2] ^ hashes[0];
+    this->Left[p[2]] ^= hashes[0] ^ hashes[1];
+  }
+  for (const std::uint32_t t : triangles)
+  {
+    const vtkMTTriangle p = this->Mesh.GetPointsOfTriangle(t);
+    const bool isLeft[3] = { this->Left[p[0]] != 0, this->Left[p[1]] != 0, this->Left[p[2]] != 0 };
+    if (isLeft[0] && isLeft[1] && p[0] != p[1])
+    {
+      edges.push_back(Join(p[0], p[1]));
+    }
+    if (isLeft[1] && isLeft[2] && p[1] != p[2])
+    {
+      edges.push_back(Join(p[1], p[2]));
+    }
+    if (isLeft[2] && isLeft[0] && p[2] != p[0])
+    {
+      edges.push_back(Join(p[2], p[0]));
+    }
+  }
+  for (const std::uint32_t t : triangles)
+  {
+    for (const std::uint32_t p : this->Mesh.GetPointsOfTriangle(t))
+    {
+      this->Left[p] = 0;
+    }
+  }
+  KeepOdd(edges);
+}
+
+std::vector<std::uint32_t> vtkMTBorderOrder::Find(const std::vector<std::uint32_t>& triangles)
+{
+  std::vector<std::uint64_t> edges;
+  this->FindOddEdges(triangles, edges);
+  return Walk(edges);
 }

@@ -10,11 +10,14 @@ void vtkMTCertifiedMesh::TakeDeviations(const vtkMTCertifiedMesh& whole, const s
 {
   const std::size_t arrays = whole.ValueDeviations.size() / std::max<std::size_t>(1, whole.Deviations.size());
   this->Deviations.reserve(triangles.size());
-  this->ValueDeviations.reserve(triangles.size() * arrays);
   for (const std::uint32_t t : triangles)
   {
     this->Deviations.push_back(whole.Deviations[t]);
-    const auto first = whole.ValueDeviations.begin() + static_cast<std::ptrdiff_t>(t * arrays);
+  }
+  this->ValueDeviations.reserve(triangles.size() * arrays);
+  for (std::size_t i = 0; i < triangles.size() && arrays > 0; ++i)
+  {
+    const auto first = whole.ValueDeviations.begin() + static_cast<std::ptrdiff_t>(triangles[i] * arrays);
     this->ValueDeviations.insert(this->ValueDeviations.end(), first, first + static_cast<std::ptrdiff_t>(arrays));
   }
 }

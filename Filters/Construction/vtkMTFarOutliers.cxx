@@ -24,6 +24,16 @@ int GetPower(double x)
   return x > 0.0 ? (std::isinf(x) ? std::numeric_limits<double>::max_exponent : std::ilogb(x)) : PowerOfZero;
 }
 
+// The same of a length, without a call for those in the normal range.
+int GetPowerOfLength(double x)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof(bits));
+  const std::uint64_t exponent = bits >> 52;
+  constexpr std::uint64_t mostNormal = 0x7fe;
+  return exponent - 1 < mostNormal ? static_cast<int>(exponent) - 1023 : GetPower(x);
+}
+
 void Extend(Box& box, const vtkMTInputBlock::Place& place)
 {
   for (int i = 0; i < 3; ++i)
@@ -102,9 +112,16 @@ bool vtkMTFarOutliers::Add(const vtkMTInputBlock& block)
     {
       const vtkMTInputBlock::Place& a = block.Places[t[c]];
       const vtkMTInputBlock::Place& b = block.Places[t[(c + 1) % 3]];
-      const double length = std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
-      ++this->Lengths[static_cast<std::size_t>(GetPower(length) - PowerOfZero)];
-      Extend(this->Bounds, a);
+      const double length = std::max(std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1])), std::abs(a[2] - b[2]));
+      ++this->Lengths[static_cast<std::size_t>(GetPowerOfLength(length) - PowerOfZero)];
+    }
+  }
+  const std::vector<unsigned char> used = block.GetUsed();
+  for (std::size_t p = 0; p < used.size(); ++p)
+  {
+    if (used[p] != 0)
+    {
+      Extend(this->Bounds, block.Places[p]);
     }
   }
   return true;

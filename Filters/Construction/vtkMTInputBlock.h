@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,11 +41,46 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputBlock
   /// can.
   const char* FindFault(const Triangle& triangle) const;
 
+  /// Whether all places are finite.
+  bool IsFinite() const;
+  /// Whether two of its corners are at one place.
+  bool IsDegenerate(const Triangle& triangle) const
+  {
+    const Place& a = this->Places[triangle[0]];
+    const Place& b = this->Places[triangle[1]];
+    const Place& c = this->Places[triangle[2]];
+    return (a[0] == b[0] && a == b) || (b[0] == c[0] && b == c) || (c[0] == a[0] && c == a);
+  }
+
   /// Drops the other triangles.
-  void Keep(const std::function<bool(const Triangle&)>& isKept);
+  template <typename Test>
+  void Keep(Test&& isKept)
+  {
+    std::size_t kept = 0;
+    while (kept < this->Triangles.size() && isKept(this->Triangles[kept]))
+    {
+      ++kept;
+    }
+    const std::size_t count = this->Triangles.size();
+    for (std::size_t t = kept + 1; t < count; ++t)
+    {
+      if (isKept(this->Triangles[t]))
+      {
+        this->Move(t, kept++);
+      }
+    }
+    this->Shrink(kept);
+  }
+
+  /// Bytes of all lists.
+  std::size_t GetMemorySize() const;
 
   void Encode(std::vector<unsigned char>& bytes) const;
   bool Decode(const vtkMTBytes::Record& bytes, std::string& error);
+
+private:
+  void Move(std::size_t from, std::size_t to);
+  void Shrink(std::size_t triangles);
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkMTInputFragment.h"
 
 #include "vtkMTBytes.h"
+#include "vtkMTHalfedgePairs.h"
 #include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTRelease.h"
@@ -17,39 +18,74 @@ namespace
 using Point = vtkMTInputRegions::Point;
 using Triangle = vtkMTInputRegions::Triangle;
 
-template <typename Record>
-std::vector<Record> ReadAll(const std::vector<unsigned char>& bytes, std::size_t size)
-{
-  std::vector<Record> records(bytes.size() / size);
-  for (std::size_t i = 0; i < records.size(); ++i)
-  {
-    std::memcpy(&records[i], bytes.data() + i * size, sizeof(Record));
-  }
-  return records;
-}
-
-void AppendId(std::int64_t id, vtkMTColumn& column)
+void PutId(std::int64_t id, std::size_t place, vtkMTColumn& column)
 {
   const auto value = static_cast<vtkIdType>(id);
-  const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
-  column.insert(column.end(), bytes, bytes + sizeof(value));
+  std::memcpy(column.data() + place * sizeof(value), &value, sizeof(value));
 }
 
-// Points and wedges: shared points first, then in order of identity; wedges in order of their points. identities: of
-// the points.
-std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const std::vector<unsigned char>& bytes,
-  const vtkMTInputFragment::Layout& layout, vtkMTPatch& mesh, std::vector<std::uint32_t>& identities)
+// One tuple each, of those of item i.
+void PutValues(const std::vector<unsigned char>& all, std::size_t i, const std::vector<std::size_t>& sizes,
+  std::size_t place, std::vector<vtkMTColumn>& columns)
 {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
+  const unsigned char* values = all.data() + i * std::accumulate(sizes.begin(), sizes.end(), std::size_t(0));
+  for (std::size_t c = 0; c < sizes.size(); ++c)
+  {
+    std::memcpy(columns[c].data() + place * sizes[c], values, sizes[c]);
+    values += sizes[c];
+  }
+}
+
+// Columns of so many tuples each; an id's behind the others.
+void SizeColumns(
+  const std::vector<std::size_t>& sizes, bool hasIds, std::size_t tuples, std::vector<vtkMTColumn>& columns)
+{
+  columns.resize(sizes.size() + (hasIds ? 1 : 0));
+  for (std::size_t c = 0; c < columns.size(); ++c)
+  {
+    columns[c].resize(tuples * (c < sizes.size() ? sizes[c] : sizeof(vtkIdType)));
+  }
+}
+
+// Shared points first, then in order of identity; wedges in order of their points.
+std::vector<std::uint32_t> SortPoints(const std::vector<Point>& points)
+{
+  std::vector<std::uint32_t> order;
+  order.reserve(points.size());
+  for (const std::uint32_t isShared : { 1u, 0u })
+  {
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+    {
+      if (points[i].IsShared == isShared)
+      {
+        order.push_back(i);
+      }
+    }
+  }
   const auto isBefore = [&points](std::uint32_t i, std::uint32_t j)
   {
     const Point& a = points[i];
     const Point& b = points[j];
     return a.IsShared != b.IsShared ? a.IsShared > b.IsShared : a.Root != b.Root ? a.Root < b.Root : a.Wedge < b.Wedge;
   };
-  std::stable_sort(order.begin(), order.end(), isBefore);
+  if (!std::is_sorted(order.begin(), order.end(), isBefore)) // as they are where nothing was stitched
+  {
+    std::stable_sort(order.begin(), order.end(), isBefore);
+  }
+  return order;
+}
+
+// Points and wedges. identities: of the points. Gives the wedge of each of the given points.
+std::vector<std::uint32_t> MakeWedges(const vtkMTInputRegions::Region& records,
+  const vtkMTInputFragment::Layout& layout, vtkMTPatch& mesh, std::vector<std::uint32_t>& identities)
+{
+  const std::vector<Point>& points = records.Points;
+  const std::vector<std::uint32_t> order = SortPoints(points);
   std::vector<std::uint32_t> wedgeOf(points.size());
+  mesh.Points.reserve(points.size());
+  identities.reserve(points.size());
+  mesh.WedgePoints.reserve(points.size());
+  SizeColumns(layout.PointTupleSizes, layout.HasPointIds, points.size(), mesh.PointColumns);
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < order.size(); ++i)
   {
@@ -66,68 +102,108 @@ std::vector<std::uint32_t> MakeWedges(const std::vector<Point>& points, const st
     }
     if (isNewPoint || points[last].Wedge != point.Wedge)
     {
+      const std::size_t wedge = mesh.WedgePoints.size();
       mesh.WedgePoints.push_back(static_cast<std::uint32_t>(mesh.Points.size() - 1));
-      const unsigned char* values = bytes.data() + order[i] * layout.PointSize + sizeof(Point);
-      for (std::size_t c = 0; c < layout.PointTupleSizes.size(); ++c)
-      {
-        mesh.PointColumns[c].insert(mesh.PointColumns[c].end(), values, values + layout.PointTupleSizes[c]);
-        values += layout.PointTupleSizes[c];
-      }
+      PutValues(records.PointValues, order[i], layout.PointTupleSizes, wedge, mesh.PointColumns);
       if (layout.HasPointIds)
       {
-        AppendId(point.Wedge, mesh.PointColumns.back());
+        PutId(point.Wedge, wedge, mesh.PointColumns.back());
       }
     }
     wedgeOf[order[i]] = static_cast<std::uint32_t>(mesh.WedgePoints.size() - 1);
     last = order[i];
   }
+  SizeColumns(layout.PointTupleSizes, layout.HasPointIds, mesh.WedgePoints.size(), mesh.PointColumns);
   if (mesh.WedgePoints.size() == mesh.Points.size())
   {
-    mesh.WedgePoints.clear();
+    vtkMTRelease(mesh.WedgePoints);
   }
   return wedgeOf;
+}
+
+// From the input's index of a point to its wedge, by open addressing.
+class WedgeTable
+{
+public:
+  WedgeTable(const std::vector<Point>& points, const std::vector<std::uint32_t>& wedges)
+  {
+    while ((std::size_t(1) << this->Bits) < 2 * points.size())
+    {
+      ++this->Bits;
+    }
+    this->Entries.assign(std::size_t(1) << this->Bits, Entry{ None, 0 });
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const auto index = static_cast<std::uint32_t>(points[i].Key);
+      this->Entries[this->Find(index)] = { index, wedges[i] };
+    }
+  }
+
+  std::uint32_t operator[](std::uint32_t index) const { return this->Entries[this->Find(index)].Wedge; }
+
+private:
+  static constexpr std::uint32_t None = ~std::uint32_t(0);
+  struct Entry
+  {
+    std::uint32_t Index;
+    std::uint32_t Wedge;
+  };
+
+  std::size_t Find(std::uint32_t index) const
+  {
+    std::size_t at = static_cast<std::size_t>((index * 0x9E3779B97F4A7C15u) >> (64 - this->Bits));
+    while (this->Entries[at].Index != index && this->Entries[at].Index != None)
+    {
+      at = (at + 1) & (this->Entries.size() - 1);
+    }
+    return at;
+  }
+
+  unsigned Bits = 4;
+  std::vector<Entry> Entries;
+};
+
+void MakeTriangles(const vtkMTInputRegions::Region& records, const vtkMTInputFragment::Layout& layout,
+  const WedgeTable& wedgeOf, vtkMTPatch& mesh)
+{
+  mesh.Triangles.resize(records.Triangles.size());
+  SizeColumns(layout.CellTupleSizes, layout.HasCellIds, records.Triangles.size(), mesh.CellColumns);
+  for (std::size_t t = 0; t < records.Triangles.size(); ++t)
+  {
+    const Triangle& triangle = records.Triangles[t];
+    mesh.Triangles[t] = { wedgeOf[triangle.Points[0]], wedgeOf[triangle.Points[1]], wedgeOf[triangle.Points[2]] };
+    if (!layout.CellTupleSizes.empty())
+    {
+      PutValues(records.TriangleValues, t, layout.CellTupleSizes, t, mesh.CellColumns);
+    }
+    if (layout.HasCellIds)
+    {
+      PutId(triangle.CellId, t, mesh.CellColumns.back());
+    }
+  }
 }
 }
 
 void vtkMTInputFragment::Make(std::uint32_t region, vtkMTInputRegions::Region&& records, const Layout& layout)
 {
-  const std::vector<Point> points = ReadAll<Point>(records.Points, layout.PointSize);
-  this->Mesh.PointColumns.resize(layout.PointTupleSizes.size() + (layout.HasPointIds ? 1 : 0));
   std::vector<std::uint32_t> identities;
-  const std::vector<std::uint32_t> wedgeOf = MakeWedges(points, records.Points, layout, this->Mesh, identities);
+  const WedgeTable wedgeOf(records.Points, MakeWedges(records, layout, this->Mesh, identities));
   vtkMTRelease(records.Points);
-
-  const std::vector<Triangle> triangles = ReadAll<Triangle>(records.Triangles, layout.TriangleSize);
-  this->Mesh.CellColumns.resize(layout.CellTupleSizes.size() + (layout.HasCellIds ? 1 : 0));
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  vtkMTRelease(records.PointValues);
+  MakeTriangles(records, layout, wedgeOf, this->Mesh);
+  this->Numbers.reserve(records.Triangles.size());
+  for (const Triangle& triangle : records.Triangles)
   {
-    vtkMTTriangle wedges;
-    for (int c = 0; c < 3; ++c)
-    {
-      const std::uint32_t point = triangles[t].Points[c];
-      const auto found = std::lower_bound(points.begin(), points.end(), point,
-        [](const Point& record, std::uint32_t index) { return static_cast<std::uint32_t>(record.Key) < index; });
-      wedges[c] = wedgeOf[static_cast<std::size_t>(found - points.begin())];
-    }
-    this->Mesh.Triangles.push_back(wedges);
-    this->Numbers.push_back(triangles[t].Number);
-    const unsigned char* values = records.Triangles.data() + t * layout.TriangleSize + sizeof(Triangle);
-    for (std::size_t c = 0; c < layout.CellTupleSizes.size(); ++c)
-    {
-      this->Mesh.CellColumns[c].insert(this->Mesh.CellColumns[c].end(), values, values + layout.CellTupleSizes[c]);
-      values += layout.CellTupleSizes[c];
-    }
-    if (layout.HasCellIds)
-    {
-      AppendId(triangles[t].CellId, this->Mesh.CellColumns.back());
-    }
+    this->Numbers.push_back(triangle.Number);
   }
   vtkMTRelease(records.Triangles);
-  this->Orientation.Run(this->Mesh, this->Numbers);
-  this->SharedPlaces = vtkMTSharedIds::FindPlaces(this->Mesh);
+  vtkMTRelease(records.TriangleValues);
+  const vtkMTHalfedgePairs pairs(this->Mesh);
+  this->Orientation.Run(this->Mesh, this->Numbers, pairs);
+  this->SharedPlaces = vtkMTSharedIds::FindPlaces(this->Mesh, pairs);
   if (layout.MakeNormals)
   {
-    this->Angles.Add(this->Mesh);
+    this->Angles.Add(this->Mesh, pairs);
     vtkMTSharedNormals::FindTerms(this->Mesh, this->Numbers, identities, this->Orientation.ComponentOf,
       this->Orientation.IsTurned, region, this->Terms);
   }

@@ -33,8 +33,6 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTInputFragment
 
   struct Layout
   {
-    std::size_t TriangleSize;
-    std::size_t PointSize;
     std::vector<std::size_t> PointTupleSizes;
     std::vector<std::size_t> CellTupleSizes;
     bool HasCellIds;  ///< whether the mesh gets a column of them behind those of the cells

@@ -45,8 +45,7 @@ bool vtkMTInputFragmentStep::Continue(const char* step, std::uint64_t done)
 bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSpool& input)
 {
   vtkMTSequenceState& state = this->State;
-  vtkMTInputFragment::Layout layout{ regions.GetTriangleSize(), regions.GetPointSize(),
-    input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(),
+  vtkMTInputFragment::Layout layout{ input.GetPoints().GetTupleSizes(), input.GetCellTupleSizes(),
     this->Settings.InputIds != vtkMTBuildSettings::Ids::None, this->Settings.InputPointIds, this->MakesNormals };
   for (const vtkMTArrayInfo& array : state.Graph.Arrays)
   {
@@ -60,8 +59,7 @@ bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSp
   this->Orientation = std::make_unique<vtkMTOrientation>(store, memory);
   this->Normals = std::make_unique<vtkMTSharedNormals>(store, memory / 2);
   this->SharedIds = std::make_unique<vtkMTSharedIds>(store, memory / 2);
-  if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error) ||
-    !state.Barycentres.Begin(store, vtkMTSequenceState::GetBarycentresName(0), this->Error))
+  if (!this->Fragments.Begin(store, "input-fragments", this->NumberOfRegions, this->Error))
   {
     return false;
   }
@@ -81,16 +79,15 @@ bool vtkMTInputFragmentStep::Make(vtkMTInputRegions& regions, const vtkMTInputSp
       const vtkMTStageTimes::Scope assemble(this->Settings.Times, vtkMTStageTimes::Assemble);
       Making& making = slots[slot];
       making.Fragment.Make(static_cast<std::uint32_t>(region), std::move(making.Records), layout);
-      making.Barycentres = vtkMTBarycentreSpool::GetBarycentres(making.Fragment.Mesh);
       return true;
     },
     [&](std::size_t region, std::size_t slot, std::string& error)
     {
       const vtkMTStageTimes::Scope write(this->Settings.Times, vtkMTStageTimes::Write);
-      done += slots[slot].Barycentres.size();
+      done += slots[slot].Fragment.Mesh.Triangles.size();
       return this->PutMade(region, slots[slot], error) && this->Continue("making fragments", done);
     });
-  return made && this->Fragments.Seal(this->Error) && state.Barycentres.Seal(this->Error);
+  return made && this->Fragments.Seal(this->Error);
 }
 
 bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::string& error)
@@ -121,8 +118,7 @@ bool vtkMTInputFragmentStep::PutMade(std::size_t region, Making& making, std::st
   this->Angles.Add(making.Fragment.Angles);
   Bytes bytes;
   making.Fragment.Encode(bytes);
-  return this->Fragments.Put(region, bytes.data(), bytes.size(), error) &&
-    this->State.Barycentres.Put(making.Barycentres, error);
+  return this->Fragments.Put(region, bytes.data(), bytes.size(), error);
 }
 
 //------------------------------------------------------------------------------
@@ -171,6 +167,7 @@ bool vtkMTInputFragmentStep::Finish()
       const vtkMTStageTimes::Scope write(this->Settings.Times, vtkMTStageTimes::Write);
       done += slots[slot].Triangles;
       const Bytes& record = slots[slot].Record;
+      this->Fragments.Forget(region);
       return (record.empty() || state.Fragments.Put(region, record.data(), record.size(), error)) &&
         this->Continue("finishing fragments", done);
     });

@@ -48,7 +48,6 @@ private:
   {
     vtkMTInputRegions::Region Records;
     vtkMTInputFragment Fragment;
-    std::vector<vtkMTBarycentreSpool::Barycentre> Barycentres;
   };
   struct Finishing
   {

@@ -123,6 +123,8 @@ public:
     bool done = fragments.Make(*this->Regions, input);
     this->Report(stream, input, stitch);
     this->Regions.reset();
+    input.ForgetBlocks();
+    input.ForgetPoints();
     done = done && fragments.Finish();
     this->Aborted = fragments.WasAborted();
     return done || this->Fail(fragments.GetError());
@@ -176,10 +178,10 @@ private:
       return this->Error.empty() ? this->Fail(outliers.GetError() + outliers.GetMessage()) : false;
     }
     this->Warning = outliers.GetMessage();
-    input.LeaveOut([&outliers](const vtkMTInputBlock& of, const vtkMTInputBlock::Triangle& t)
-      { return outliers.IsFar(of, t); },
-      "dropped_far_outlier", outliers.GetNumberOfOutliers());
-    return true;
+    return input.LeaveOut([&outliers](const vtkMTInputBlock& of, const vtkMTInputBlock::Triangle& t)
+             { return outliers.IsFar(of, t); },
+             "dropped_far_outlier", outliers.GetNumberOfOutliers()) ||
+      this->Fail(input.GetError());
   }
 
   bool SetUpArrays(const vtkMTTriangleStream& stream, bool isSingle)
@@ -242,9 +244,15 @@ private:
       return false;
     }
     const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    input.ForgetBlocks();
+    if (!input.IsInMemory()) // there regions are taken from what is kept
+    {
+      input.ForgetBlocks();
+    }
     const bool found = this->Regions->FindPoints(stitch, this->State->Graph.Lattice);
-    input.ForgetPoints();
+    if (!input.IsInMemory())
+    {
+      input.ForgetPoints();
+    }
     this->Aborted = this->Regions->WasAborted();
     return found || this->Fail(this->Regions->GetError());
   }
@@ -253,6 +261,7 @@ private:
   struct BlockWork
   {
     vtkMTInputBlock Block;
+    vtkMTPatch Mesh; // points and triangles on the lattice
     std::vector<Barycentre> Barycentres;
     vtkMTPointWelding::BlockEdges Edges;
     double LargestShift2 = 0.0;
@@ -277,7 +286,7 @@ private:
         {
           return false;
         }
-        slots[slot].Barycentres = this->GetBarycentres(slots[slot].Block);
+        this->FindBarycentres(slots[slot]);
         work(slots[slot]);
         return true;
       },
@@ -327,7 +336,7 @@ private:
       [&](std::size_t, BlockWork& work)
       {
         done += work.Barycentres.size();
-        return (this->Regions->Add(std::move(work.Records)) || this->Fail(this->Regions->GetError())) &&
+        return (this->Regions->Add(work.Block, std::move(work.Records)) || this->Fail(this->Regions->GetError())) &&
           this->Continue("sorting into regions", done);
       });
   }
@@ -342,7 +351,7 @@ private:
       input,
       [&](BlockWork& work)
       {
-        work.LargestShift2 = GetLargestShift2(lattice, work.Block);
+        work.LargestShift2 = GetLargestShift2(lattice, work);
         const vtkMTStageTimes::Scope sort(vtkMTStageTimes::Sort);
         work.Edges = vtkMTPointWelding::FindEdges(work.Block);
       },
@@ -364,20 +373,20 @@ private:
     return put && (stitch.Finish() || this->Fail(stitch.GetError()));
   }
 
-  static double GetLargestShift2(const vtkMTLattice& lattice, const vtkMTInputBlock& block)
+  static double GetLargestShift2(const vtkMTLattice& lattice, const BlockWork& work)
   {
-    const std::vector<unsigned char> used = block.GetUsed();
+    const std::vector<unsigned char> used = work.Block.GetUsed();
     double largest = 0.0;
     for (std::size_t p = 0; p < used.size(); ++p)
     {
-      largest = used[p] ? std::max(largest, GetShift2(lattice, block.Places[p])) : largest;
+      largest = used[p] ? std::max(largest, GetShift2(lattice, work.Block.Places[p], work.Mesh.Points[p])) : largest;
     }
     return largest;
   }
 
-  static double GetShift2(const vtkMTLattice& lattice, const vtkMTInputBlock::Place& place)
+  static double GetShift2(const vtkMTLattice& lattice, const vtkMTInputBlock::Place& place, const vtkMTPoint& point)
   {
-    const std::array<double, 3> snapped = lattice.ToWorld(lattice.Snap(place.data()));
+    const std::array<double, 3> snapped = lattice.ToWorld(point);
     double shift2 = 0.0;
     for (int i = 0; i < 3; ++i)
     {
@@ -387,16 +396,16 @@ private:
     return shift2;
   }
 
-  std::vector<Barycentre> GetBarycentres(const vtkMTInputBlock& block) const
+  void FindBarycentres(BlockWork& work) const
   {
-    vtkMTPatch mesh;
-    mesh.Triangles = block.Triangles;
-    mesh.Points.reserve(block.Places.size());
-    for (const vtkMTInputBlock::Place& place : block.Places)
+    const vtkMTLattice lattice = this->State->Graph.Lattice;
+    work.Mesh.Triangles = work.Block.Triangles;
+    work.Mesh.Points.reserve(work.Block.Places.size());
+    for (const vtkMTInputBlock::Place& place : work.Block.Places)
     {
-      mesh.Points.push_back(this->State->Graph.Lattice.Snap(place.data()));
+      work.Mesh.Points.push_back(lattice.Snap(place.data()));
     }
-    return vtkMTBarycentreSpool::GetBarycentres(mesh);
+    work.Barycentres = vtkMTBarycentreSpool::GetBarycentres(work.Mesh);
   }
 
   const vtkMTBuildSettings& Settings;

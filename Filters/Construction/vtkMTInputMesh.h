@@ -14,7 +14,8 @@
  * ("reoriented_triangles", vtkMTOrientation); parts that cannot be stay as they are ("not_orientable_triangles").
  *
  * The stream is read once. All that grows with the mesh is in spools and external sorts; one block of the input, or one
- * region, is in memory at a time. The result does not depend on the memory that they are given.
+ * region, is in memory at a time. Where spools lie in memory, blocks are kept there, and what would be sorted is looked
+ * up (vtkMTInputSpool, vtkMTInputRegions). The result does not depend on that, nor on the memory that sorts are given.
  */
 #ifndef vtkMTInputMesh_h
 #define vtkMTInputMesh_h

@@ -73,6 +73,40 @@ Place vtkMTInputPoints::GetExactPlace(const unsigned char* record)
   return place;
 }
 
+bool vtkMTInputPoints::IsInMemory() const
+{
+  return this->Spool && this->Spool->IsInMemory();
+}
+
+const unsigned char* vtkMTInputPoints::LookUp(
+  std::uint64_t point, std::vector<unsigned char>& bytes, std::string& error) const
+{
+  const std::uint64_t offset = point * this->RecordSize;
+  if (const unsigned char* found = this->Spool->Find(offset, this->RecordSize)) // it lies in one part
+  {
+    return found;
+  }
+  bytes.resize(this->RecordSize);
+  return this->Spool->Read(offset, bytes.size(), bytes.data(), error) ? bytes.data() : nullptr;
+}
+
+bool vtkMTInputPoints::LookUp(
+  const std::vector<std::uint32_t>& points, std::vector<Place>& places, std::string& error) const
+{
+  std::vector<unsigned char> bytes;
+  places.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const unsigned char* record = this->LookUp(points[i], bytes, error);
+    if (!record)
+    {
+      return false;
+    }
+    places[i] = GetPlace(record);
+  }
+  return true;
+}
+
 bool vtkMTInputPoints::Answer(const Requests& requests, std::vector<PlaceRecord>& places, std::string& error) const
 {
   const std::vector<std::uint64_t>& keys = requests.Keys;

@@ -61,6 +61,16 @@ public:
   static const unsigned char* GetValues(const unsigned char* record) { return record + sizeof(vtkMTInputBlock::Place); }
   ///@}
 
+  ///@{
+  /// Whether points can be asked for in any order, and the record of one of them, where that is so: where it lies, or
+  /// in the given bytes. May be called by any number of threads at once.
+  bool IsInMemory() const;
+  const unsigned char* LookUp(std::uint64_t point, std::vector<unsigned char>& bytes, std::string& error) const;
+  ///@}
+  /// The places of points, where that is so. May be called by any number of threads at once.
+  bool LookUp(
+    const std::vector<std::uint32_t>& points, std::vector<vtkMTInputBlock::Place>& places, std::string& error) const;
+
   static constexpr std::uint64_t NoPoint = ~std::uint64_t(0);
   /// Which points blocks ask for, in increasing order.
   struct Requests

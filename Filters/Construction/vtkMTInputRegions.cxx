@@ -6,6 +6,7 @@
 #include "vtkMTOrderedWork.h"
 #include "vtkMTPointWelding.h"
 #include "vtkMTRadixSort.h"
+#include "vtkMTRelease.h"
 #include "vtkMTStageTimes.h"
 #include "vtkMTTrimHeap.h"
 
@@ -34,6 +35,16 @@ Value Read(const unsigned char* bytes)
   Value value;
   std::memcpy(&value, bytes, sizeof(value));
   return value;
+}
+
+// What is behind the fixed part of a record.
+template <typename Fixed>
+void AppendValues(const unsigned char* record, std::size_t size, std::vector<unsigned char>& values)
+{
+  if (size > sizeof(Fixed))
+  {
+    values.insert(values.end(), record + sizeof(Fixed), record + size);
+  }
 }
 }
 
@@ -65,18 +76,30 @@ vtkMTInputRegions::BlockRecords vtkMTInputRegions::MakeRecords(
   const vtkMTInputBlock& block, const std::vector<std::uint32_t>& regions) const
 {
   BlockRecords result;
-  std::vector<std::uint64_t> uses; // region above, the block's own index of the point below
-  std::vector<std::uint64_t> scratch;
-  uses.reserve(3 * block.Triangles.size());
-  result.Triangles.resize(block.Triangles.size() * this->TriangleSize);
-  unsigned char* to = result.Triangles.data();
-  for (std::size_t t = 0; t < block.Triangles.size(); ++t)
+  if (this->Input.IsInMemory())
   {
-    Triangle record{ regions[t], {}, static_cast<std::uint32_t>(t), block.CellIds[t] };
+    result.Regions = regions;
+    return result;
+  }
+  result.Count = block.Triangles.size();
+  result.Triangles.reset(new unsigned char[result.Count * this->TriangleSize]);
+  result.Requests.reserve(block.Points.size() + block.Points.size() / 8);
+  constexpr std::uint32_t none = ~std::uint32_t(0);
+  std::vector<std::uint32_t> lastRegion(block.Points.size(), none); // that asked for the point
+  unsigned char* to = result.Triangles.get();
+  for (std::size_t t = 0; t < result.Count; ++t)
+  {
+    const std::uint32_t region = regions[t];
+    Triangle record{ region, {}, static_cast<std::uint32_t>(t), block.CellIds[t] };
     for (int c = 0; c < 3; ++c)
     {
-      record.Points[c] = block.Points[block.Triangles[t][c]];
-      uses.push_back((std::uint64_t(regions[t]) << 32) | block.Triangles[t][c]);
+      const std::uint32_t p = block.Triangles[t][c];
+      record.Points[c] = block.Points[p];
+      if (lastRegion[p] != region)
+      {
+        lastRegion[p] = region;
+        result.Requests.push_back((std::uint64_t(record.Points[c]) << 32) | region);
+      }
     }
     std::memcpy(to, &record, sizeof(record));
     to += sizeof(record);
@@ -87,27 +110,24 @@ vtkMTInputRegions::BlockRecords vtkMTInputRegions::MakeRecords(
       to += size;
     }
   }
-  vtkMTRadixSort::Sort(uses, scratch);
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  for (std::uint64_t& use : uses)
-  {
-    use = (std::uint64_t(block.Points[static_cast<std::uint32_t>(use)]) << 32) | (use >> 32);
-  }
-  result.Requests = std::move(uses);
   return result;
 }
 
-bool vtkMTInputRegions::Add(BlockRecords&& records)
+bool vtkMTInputRegions::Add(const vtkMTInputBlock& block, BlockRecords&& records)
 {
-  const std::size_t triangles = records.Triangles.size() / this->TriangleSize;
-  for (std::size_t t = 0; t < triangles; ++t)
+  if (this->Input.IsInMemory())
   {
-    unsigned char* number = records.Triangles.data() + t * this->TriangleSize + offsetof(Triangle, Number);
+    this->AddInMemory(block, records.Regions);
+    return true;
+  }
+  for (std::size_t t = 0; t < records.Count; ++t)
+  {
+    unsigned char* number = records.Triangles.get() + t * this->TriangleSize + offsetof(Triangle, Number);
     const std::uint32_t value = Read<std::uint32_t>(number) + static_cast<std::uint32_t>(this->NextNumber);
     std::memcpy(number, &value, sizeof(value));
   }
-  this->NextNumber += triangles;
-  return (this->Triangles.Add(records.Triangles.data(), triangles) &&
+  this->NextNumber += records.Count;
+  return (this->Triangles.Add(records.Triangles.get(), records.Count) &&
            this->Requests.Add(records.Requests.data(), records.Requests.size())) ||
     this->Fail(this->Triangles.GetError() + this->Requests.GetError());
 }
@@ -120,11 +140,37 @@ struct vtkMTInputRegions::PointBatch
   std::vector<std::uint32_t> Roots;
   std::vector<std::size_t> End; // of each point's regions
   std::vector<std::uint32_t> Regions;
-  std::vector<unsigned char> Single; // records
+  std::unique_ptr<unsigned char[]> Single; // records
+  std::size_t SingleCount = 0;
   std::vector<unsigned char> Stitched;
 };
 
 bool vtkMTInputRegions::FindPoints(vtkMTPointWelding& stitch, const vtkMTLattice& lattice)
+{
+  this->Lattice = lattice;
+  const auto findRoot = [&stitch](std::uint32_t point) { return stitch.FindRoot(point); };
+  if (!this->Input.IsInMemory())
+  {
+    return this->FindRequested(findRoot) || this->Fail(this->Error + stitch.GetError());
+  }
+  const std::vector<Root> roots = this->FindRoots(stitch);
+  const std::uint64_t used = this->UsedPoints;
+  this->SortInMemory();
+  auto next = roots.begin();
+  const auto findAgain = [&next](std::uint32_t point)
+  {
+    for (; next->first < point; ++next)
+    {
+    }
+    return next->second; // only stitched points are requested
+  };
+  const bool found = stitch.GetError().empty() && this->RequestStitched(roots) && this->FindRequested(findAgain);
+  this->UsedPoints = used;
+  vtkMTRelease(this->RegionOf);
+  return found || this->Fail(this->Error + stitch.GetError());
+}
+
+bool vtkMTInputRegions::FindRequested(const FindRoot& findRoot)
 {
   if (!this->Requests.Finish())
   {
@@ -139,12 +185,12 @@ bool vtkMTInputRegions::FindPoints(vtkMTPointWelding& stitch, const vtkMTLattice
     [&](std::size_t, std::size_t slot, std::string& message)
     {
       const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-      return this->FetchPoints(stitch, slots[slot], message);
+      return this->FetchPoints(findRoot, slots[slot], message);
     },
     [&](std::size_t, std::size_t slot, std::string& message)
     {
       const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-      return this->MakePoints(lattice, slots[slot], message);
+      return this->MakePoints(slots[slot], message);
     },
     [&](std::size_t, std::size_t slot, std::string&) { return this->PutPoints(slots[slot]); }, error);
   if (!found)
@@ -165,7 +211,7 @@ std::size_t vtkMTInputRegions::GetBatch() const
   return std::max(LeastBatch, BatchSize / this->PointSize);
 }
 
-bool vtkMTInputRegions::FetchPoints(vtkMTPointWelding& stitch, PointBatch& batch, std::string& error)
+bool vtkMTInputRegions::FetchPoints(const FindRoot& findRoot, PointBatch& batch, std::string& error)
 {
   batch = PointBatch();
   const unsigned char*& record = this->NextRequest;
@@ -182,14 +228,14 @@ bool vtkMTInputRegions::FetchPoints(vtkMTPointWelding& stitch, PointBatch& batch
       }
     }
     batch.Points.push_back(point);
-    batch.Roots.push_back(stitch.FindRoot(point));
+    batch.Roots.push_back(findRoot(point));
     batch.End.push_back(batch.Regions.size());
   }
-  error = this->Requests.GetError() + stitch.GetError();
+  error = this->Requests.GetError();
   return error.empty();
 }
 
-bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batch, std::string& error) const
+bool vtkMTInputRegions::MakePoints(PointBatch& batch, std::string& error) const
 {
   if (batch.Points.empty())
   {
@@ -197,7 +243,7 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
   }
   vtkMTInputPoints::Cursor cursor(this->Input.GetPoints(), std::uint64_t(batch.Points.back()) + 1);
   std::vector<unsigned char> values(this->ValueSize);
-  batch.Single.reserve(batch.Regions.size() * this->PointSize);
+  batch.Single.reset(new unsigned char[batch.Regions.size() * this->PointSize]);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < batch.Points.size(); ++i)
   {
@@ -206,32 +252,45 @@ bool vtkMTInputRegions::MakePoints(const vtkMTLattice& lattice, PointBatch& batc
     {
       return false;
     }
-    const vtkMTInputBlock::Place place = vtkMTInputPoints::GetPlace(bytes);
     const std::uint32_t point = batch.Points[i];
-    Point record{ 0, point, point, lattice.Snap(place.data()), batch.End[i] - begin > 1 ? 1u : 0u };
-    std::copy_n(vtkMTInputPoints::GetValues(bytes), this->Input.GetPoints().GetValueSize(), values.begin());
-    if (this->Exact)
-    {
-      vtkMTExactPoints::Encode(*this->Exact, lattice, record.X, vtkMTInputPoints::GetExactPlace(bytes),
-        values.data() + this->Input.GetPoints().GetValueSize());
-    }
+    Point record{ 0, point, point, {}, batch.End[i] - begin > 1 ? 1u : 0u };
+    this->MakePoint(bytes, record, values);
     const bool isStitched = batch.Roots[i] != vtkMTPointWelding::None;
-    std::vector<unsigned char>& records = isStitched ? batch.Stitched : batch.Single;
     for (; begin < batch.End[i]; ++begin)
     {
       const std::uint32_t region = batch.Regions[begin];
       record.Key = isStitched ? (std::uint64_t(batch.Roots[i]) << 32) | region : (std::uint64_t(region) << 32) | point;
-      const unsigned char* fixed = reinterpret_cast<const unsigned char*>(&record);
-      records.insert(records.end(), fixed, fixed + sizeof(record));
-      records.insert(records.end(), values.begin(), values.end());
+      if (isStitched)
+      {
+        const unsigned char* fixed = reinterpret_cast<const unsigned char*>(&record);
+        batch.Stitched.insert(batch.Stitched.end(), fixed, fixed + sizeof(record));
+        batch.Stitched.insert(batch.Stitched.end(), values.begin(), values.end());
+        continue;
+      }
+      unsigned char* to = batch.Single.get() + batch.SingleCount++ * this->PointSize;
+      std::memcpy(to, &record, sizeof(record));
+      std::copy_n(values.data(), values.size(), to + sizeof(record));
     }
   }
   return true;
 }
 
+// Its place and its values.
+void vtkMTInputRegions::MakePoint(const unsigned char* bytes, Point& record, std::vector<unsigned char>& values) const
+{
+  const std::size_t size = this->Input.GetPoints().GetValueSize();
+  record.X = this->Lattice.Snap(vtkMTInputPoints::GetPlace(bytes).data());
+  std::copy_n(vtkMTInputPoints::GetValues(bytes), size, values.begin());
+  if (this->Exact)
+  {
+    vtkMTExactPoints::Encode(
+      *this->Exact, this->Lattice, record.X, vtkMTInputPoints::GetExactPlace(bytes), values.data() + size);
+  }
+}
+
 bool vtkMTInputRegions::PutPoints(const PointBatch& batch)
 {
-  if (!this->Points.Add(batch.Single.data(), batch.Single.size() / this->PointSize) ||
+  if (!this->Points.Add(batch.Single.get(), batch.SingleCount) ||
     !this->Stitched.Add(batch.Stitched.data(), batch.Stitched.size() / this->PointSize))
   {
     return this->Fail(this->Points.GetError() + this->Stitched.GetError());
@@ -300,17 +359,22 @@ bool vtkMTInputRegions::SolveIdentity(std::uint32_t root, std::vector<unsigned c
 
 bool vtkMTInputRegions::Take(std::uint32_t region, Region& result)
 {
-  result.Triangles.clear();
-  result.Points.clear();
-  while (this->NextTriangle && vtkMTRecordSort::GetKey(this->NextTriangle) == region)
+  result = Region();
+  if (this->Input.IsInMemory())
   {
-    result.Triangles.insert(result.Triangles.end(), this->NextTriangle, this->NextTriangle + this->TriangleSize);
-    this->NextTriangle = this->Triangles.Next();
+    return this->TakeInMemory(region, result);
   }
-  while (this->NextPoint && vtkMTRecordSort::GetKey(this->NextPoint) >> 32 == region)
+  for (; this->NextTriangle && vtkMTRecordSort::GetKey(this->NextTriangle) == region;
+       this->NextTriangle = this->Triangles.Next())
   {
-    result.Points.insert(result.Points.end(), this->NextPoint, this->NextPoint + this->PointSize);
-    this->NextPoint = this->Points.Next();
+    result.Triangles.push_back(Read<Triangle>(this->NextTriangle));
+    AppendValues<Triangle>(this->NextTriangle, this->TriangleSize, result.TriangleValues);
+  }
+  for (; this->NextPoint && vtkMTRecordSort::GetKey(this->NextPoint) >> 32 == region;
+       this->NextPoint = this->Points.Next())
+  {
+    result.Points.push_back(Read<Point>(this->NextPoint));
+    AppendValues<Point>(this->NextPoint, this->PointSize, result.PointValues);
   }
   return (!this->Triangles.HasFailed() && !this->Points.HasFailed()) ||
     this->Fail(this->Triangles.GetError() + this->Points.GetError());

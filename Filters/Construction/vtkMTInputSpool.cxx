@@ -12,15 +12,16 @@
 
 namespace
 {
-using PlaceRecord = vtkMTInputPoints::PlaceRecord;
 constexpr std::uint64_t LargestIndex = 0xfffffffeu;
 // A triangle of a block with its points, without values; what a slot holds at most, over its block.
 constexpr std::uint64_t BytesPerTriangle = 36;
 constexpr std::uint64_t CopiesInSlot = 3;
-constexpr std::uint64_t NoPoint = vtkMTInputPoints::NoPoint;
-constexpr std::size_t RequestsAtOnce = 16384;
-// A block that is checked, over its bytes without places.
-constexpr std::uint64_t MemoryPerByteOfRaw = 6;
+
+// Blocks are numbered as they come: as many as there can be.
+std::size_t GetMostBlocks(const vtkMTTriangleStream& stream)
+{
+  return static_cast<std::size_t>(stream.GetNumberOfTriangles() / vtkMTInputBlock::Size + 1);
+}
 }
 
 vtkMTInputSpool::vtkMTInputSpool(const vtkMTBuildSettings& settings)
@@ -77,16 +78,8 @@ bool vtkMTInputSpool::Load(vtkMTTriangleStream& stream, const Visit& visit)
   {
     return this->Fail(stream.GetError());
   }
-  const std::size_t memory = this->Settings.SortMemory / 2;
-  vtkMTRecordSort places(*this->Settings.Store, sizeof(PlaceRecord), memory);
-  {
-    vtkMTRecordSort requests(*this->Settings.Store, sizeof(std::uint64_t), memory);
-    if (!this->LoadPoints(stream) || !this->LoadTriangles(stream, requests) || !this->FindPlaces(requests, places))
-    {
-      return false;
-    }
-  }
-  return this->CheckBlocks(places, visit);
+  return this->LoadPoints(stream) &&
+    (this->Points.IsInMemory() ? this->LoadChecked(stream, visit) : this->LoadSorted(stream, visit));
 }
 
 bool vtkMTInputSpool::LoadPoints(vtkMTTriangleStream& stream)
@@ -131,49 +124,101 @@ struct vtkMTInputSpool::Reading
   bool IsAtEnd = false;
 };
 
-// A block that has been read: first its triangles, then their points and the block's bytes.
-struct vtkMTInputSpool::RawBlock
+// Reads all blocks; work by several threads, take in order.
+bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream,
+  const std::function<bool(BlockWork&, std::string&)>& work, const std::function<bool(std::size_t, BlockWork&)>& take)
 {
-  vtkMTInputBlock Block;
-  std::vector<unsigned char> Bytes;
-};
-
-bool vtkMTInputSpool::LoadTriangles(vtkMTTriangleStream& stream, vtkMTRecordSort& requests)
-{
-  // Blocks are numbered as they come: as many keys as there can be, and no fewer than there are.
-  const std::uint64_t most = stream.GetNumberOfTriangles() / vtkMTInputBlock::Size + 1;
-  if (!this->RawBlocks.Begin(*this->Settings.Store, "input-triangles", static_cast<std::size_t>(most), this->Error))
-  {
-    return false;
-  }
   // The stream belongs to this thread: a slot is filled before the work that finds it, and as soon as it is free again.
   Reading reading{ stream, {}, 0, false };
   const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<RawBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
-  for (RawBlock& slot : slots)
+  std::vector<BlockWork> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
+  for (BlockWork& slot : slots)
   {
     if (!this->FillBlock(reading, slot.Block))
     {
       return false;
     }
   }
-  const auto work = [&](std::size_t, std::size_t slot, std::string&)
+  const auto workOnSlot = [&](std::size_t, std::size_t slot, std::string& error)
   {
     const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
     slots[slot].Block.FindPoints();
-    slots[slot].Block.Encode(slots[slot].Bytes);
-    slots[slot].Block.Columns.clear(); // values are in memory once
-    return true;
+    return work(slots[slot], error);
   };
-  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
+  const auto takeSlot = [&](std::size_t index, std::size_t slot, std::string&)
   {
-    const bool put = this->PutBlock(index, slots[slot], requests);
+    const bool taken = take(index, slots[slot]);
     vtkMTRelease(slots[slot].Bytes);
-    return put && this->FillBlock(reading, slots[slot].Block);
+    slots[slot].Report.clear();
+    return taken && this->FillBlock(reading, slots[slot].Block);
   };
-  return this->Run(static_cast<std::size_t>(most), {}, {}, work, take) &&
-    (reading.IsAtEnd || this->Fail("the input has more triangles than it was to have")) &&
+  return this->Run(GetMostBlocks(stream), {}, {}, workOnSlot, takeSlot) &&
+    (reading.IsAtEnd || this->Fail("the input has more triangles than it was to have"));
+}
+
+// Without places, which other blocks may have to be asked for.
+bool vtkMTInputSpool::LoadRaw(vtkMTTriangleStream& stream, vtkMTRecordSort& requests)
+{
+  return this->RawBlocks.Begin(*this->Settings.Store, "input-triangles", GetMostBlocks(stream), this->Error) &&
+    this->LoadTriangles(
+      stream,
+      [](BlockWork& raw, std::string&)
+      {
+        raw.Block.Encode(raw.Bytes);
+        raw.Block.Columns.clear(); // values are in memory once
+        return true;
+      },
+      [&](std::size_t index, BlockWork& raw) { return this->PutRaw(index, raw, requests); }) &&
     this->RawBlocks.Seal(this->Error);
+}
+
+// Where places lie in memory blocks are checked at once.
+bool vtkMTInputSpool::LoadChecked(vtkMTTriangleStream& stream, const Visit& visit)
+{
+  this->Uses.assign(static_cast<std::size_t>(this->Points.GetNumberOfPoints()), 0);
+  return this->LoadTriangles(
+    stream,
+    [&](BlockWork& checked, std::string& error)
+    {
+      if (!this->Points.LookUp(checked.Block.Points, checked.Block.Places, error))
+      {
+        return false;
+      }
+      Check(checked);
+      return true;
+    },
+    [&](std::size_t, BlockWork& checked)
+    {
+      if (checked.Block.Points.empty())
+      {
+        return true;
+      }
+      for (const std::uint32_t point : checked.Block.Points)
+      {
+        this->Uses[point] = this->Uses[point] == 0 ? 1 : 2;
+      }
+      this->CountChecked(checked);
+      const bool goesOn = visit(checked.Block);
+      this->Keep(checked.Block);
+      return goesOn;
+    });
+}
+
+// Takes what it holds, and no more memory than that.
+void vtkMTInputSpool::Keep(vtkMTInputBlock& block)
+{
+  this->Kept.emplace_back();
+  vtkMTInputBlock& kept = this->Kept.back();
+  kept.Points = block.Points; // has room for more
+  kept.Triangles.swap(block.Triangles);
+  kept.CellIds.swap(block.CellIds);
+  kept.Columns = std::move(block.Columns);
+  kept.Triangles.shrink_to_fit();
+  kept.CellIds.shrink_to_fit();
+  for (vtkMTColumn& column : kept.Columns)
+  {
+    column.shrink_to_fit();
+  }
 }
 
 // Empty when there are no more triangles.
@@ -182,13 +227,14 @@ bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
   const vtkMTStageTimes::Scope read(this->Settings.Times, vtkMTStageTimes::Read);
   block.Triangles.clear(); // its memory serves again
   block.CellIds.clear();
+  block.Triangles.reserve(vtkMTInputBlock::Size);
+  block.CellIds.reserve(vtkMTInputBlock::Size);
   block.Columns.assign(this->CellTupleSizes.size(), vtkMTColumn());
   while (!reading.IsAtEnd && block.Triangles.size() < vtkMTInputBlock::Size)
   {
     if (reading.Next < reading.Read.Triangles.size())
     {
-      this->AddTriangle(reading, block);
-      ++reading.Next;
+      this->AddTriangles(reading, block);
       continue;
     }
     reading.Next = 0;
@@ -203,32 +249,42 @@ bool vtkMTInputSpool::FillBlock(Reading& reading, vtkMTInputBlock& block)
       return false;
     }
   }
-  this->Triangles += block.Triangles.size();
-  return this->Triangles <= LargestIndex ||
+  this->ReadTriangles += block.Triangles.size();
+  return this->ReadTriangles <= LargestIndex ||
     this->Fail("the input has more triangles than the 4294967294 that are supported");
 }
 
-void vtkMTInputSpool::AddTriangle(const Reading& reading, vtkMTInputBlock& block)
+// As many of those that were read as there is room for.
+void vtkMTInputSpool::AddTriangles(Reading& reading, vtkMTInputBlock& block)
 {
-  const auto& corners = reading.Read.Triangles[reading.Next];
+  const vtkMTTriangleStream::TriangleBlock& read = reading.Read;
   const std::uint64_t points = this->Points.GetNumberOfPoints();
-  if (corners[0] >= points || corners[1] >= points || corners[2] >= points)
+  std::uint64_t dropped = 0;
+  for (; reading.Next < read.Triangles.size() && block.Triangles.size() < vtkMTInputBlock::Size; ++reading.Next)
   {
-    ++this->Report["dropped_index_out_of_range"];
-    return;
+    const auto& corners = read.Triangles[reading.Next];
+    if (corners[0] >= points || corners[1] >= points || corners[2] >= points)
+    {
+      ++dropped;
+      continue;
+    }
+    block.Triangles.push_back({ static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
+      static_cast<std::uint32_t>(corners[2]) });
+    block.CellIds.push_back(read.CellIds[reading.Next]);
+    for (std::size_t c = 0; c < block.Columns.size(); ++c)
+    {
+      const std::size_t size = this->CellTupleSizes[c];
+      const unsigned char* tuple = read.Columns[c].data() + reading.Next * size;
+      block.Columns[c].insert(block.Columns[c].end(), tuple, tuple + size);
+    }
   }
-  block.Triangles.push_back({ static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
-    static_cast<std::uint32_t>(corners[2]) });
-  block.CellIds.push_back(reading.Read.CellIds[reading.Next]);
-  for (std::size_t c = 0; c < block.Columns.size(); ++c)
+  if (dropped > 0)
   {
-    const std::size_t size = this->CellTupleSizes[c];
-    const unsigned char* tuple = reading.Read.Columns[c].data() + reading.Next * size;
-    block.Columns[c].insert(block.Columns[c].end(), tuple, tuple + size);
+    this->Report["dropped_index_out_of_range"] += static_cast<std::int64_t>(dropped);
   }
 }
 
-bool vtkMTInputSpool::PutBlock(std::size_t number, const RawBlock& raw, vtkMTRecordSort& requests)
+bool vtkMTInputSpool::PutRaw(std::size_t number, const BlockWork& raw, vtkMTRecordSort& requests)
 {
   if (raw.Block.Triangles.empty())
   {
@@ -247,177 +303,72 @@ bool vtkMTInputSpool::PutBlock(std::size_t number, const RawBlock& raw, vtkMTRec
 }
 
 //------------------------------------------------------------------------------
-// Places of points
-struct vtkMTInputSpool::AnsweredRequests
-{
-  vtkMTInputPoints::Requests Requests;
-  std::vector<PlaceRecord> Places;
-};
-
-// Every request is answered with the point's place, on the way back to its block.
-bool vtkMTInputSpool::FindPlaces(vtkMTRecordSort& requests, vtkMTRecordSort& places)
-{
-  const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-  if (!requests.Finish())
-  {
-    return this->Fail(requests.GetError());
-  }
-  const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<AnsweredRequests> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
-  const unsigned char* record = requests.Next();
-  std::uint64_t last = NoPoint;
-  const auto fetch = [&](std::size_t, std::size_t slot, std::string& error)
-  {
-    const vtkMTStageTimes::Scope own(this->Settings.Times, vtkMTStageTimes::Sort);
-    vtkMTInputPoints::Requests& taken = slots[slot].Requests;
-    taken.Keys.clear();
-    taken.Before = last;
-    for (; record && taken.Keys.size() < RequestsAtOnce; record = requests.Next())
-    {
-      taken.Keys.push_back(vtkMTRecordSort::GetKey(record));
-      last = taken.Keys.back() >> 32;
-    }
-    taken.Behind = record ? vtkMTRecordSort::GetKey(record) >> 32 : NoPoint;
-    error = requests.GetError();
-    return !requests.HasFailed();
-  };
-  const auto work = [&](std::size_t, std::size_t slot, std::string& error)
-  {
-    const vtkMTStageTimes::Scope own(this->Settings.Times, vtkMTStageTimes::Sort);
-    return this->Points.Answer(slots[slot].Requests, slots[slot].Places, error);
-  };
-  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
-  {
-    return (places.Add(slots[slot].Places.data(), slots[slot].Places.size()) || this->Fail(places.GetError())) &&
-      this->Continue("sorting points", index * RequestsAtOnce, requests.GetNumberOfRecords());
-  };
-  const auto count = static_cast<std::size_t>(requests.GetNumberOfRecords() / RequestsAtOnce + 1);
-  return this->Run(count, {}, fetch, work, take) && (places.Finish() || this->Fail(places.GetError()));
-}
-
-//------------------------------------------------------------------------------
 // Checks
-struct vtkMTInputSpool::CheckedBlock
+void vtkMTInputSpool::Check(BlockWork& checked)
 {
-  vtkMTInputBlock Block;
-  std::vector<unsigned char> Bytes;
-  std::map<std::string, std::int64_t> Report;
-};
-
-bool vtkMTInputSpool::CheckBlocks(vtkMTRecordSort& places, const Visit& visit)
-{
-  const std::size_t count = this->RawBlocks.GetNumberOfKeys();
-  if (!this->Blocks.Begin(*this->Settings.Store, "checked-triangles", count, this->Error))
-  {
-    return false;
-  }
-  const std::uint64_t all = this->Triangles;
-  this->Triangles = 0;
-  const vtkMTTrimHeap trim(this->Settings.MemoryLimit);
-  std::vector<CheckedBlock> slots(vtkMTOrderedWork::GetNumberOfSlots(this->GetNumberOfThreads()));
-  const vtkMTOrderedWork::Budget budget{ this->Settings.BlockMemory,
-    [this](std::size_t index) { return MemoryPerByteOfRaw * this->RawBlocks.GetSize(index); } };
-  const auto fetch = [&](std::size_t index, std::size_t slot, std::string& error)
-  {
-    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    return this->FetchBlock(index, places, slots[slot], error);
-  };
-  const auto work = [&](std::size_t, std::size_t slot, std::string&)
-  {
-    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    this->Check(slots[slot]);
-    return true;
-  };
-  const auto take = [&](std::size_t index, std::size_t slot, std::string&)
-  {
-    const vtkMTStageTimes::Scope sort(this->Settings.Times, vtkMTStageTimes::Sort);
-    CheckedBlock& checked = slots[slot];
-    const bool taken = checked.Bytes.empty() ||
-      (this->PutChecked(index, checked) && visit(checked.Block) &&
-        this->Continue("checking triangles", this->Triangles, all));
-    checked = CheckedBlock();
-    return taken;
-  };
-  const bool done = this->Run(count, budget, fetch, work, take);
-  this->RawBlocks.Remove();
-  return done && this->Blocks.Seal(this->Error);
-}
-
-// The block with the places of its points, which are in the blocks' order.
-bool vtkMTInputSpool::FetchBlock(
-  std::size_t index, vtkMTRecordSort& places, CheckedBlock& checked, std::string& error) const
-{
-  std::vector<vtkMTBytes::Record> records;
-  vtkMTInputBlock& block = checked.Block;
-  if (!this->RawBlocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))
-  {
-    return false;
-  }
-  block.Places.reserve(block.Points.size());
-  block.IsOpen.reserve(block.Points.size());
-  for (const std::uint32_t point : block.Points)
-  {
-    const unsigned char* record = places.Next();
-    if (!record)
+  const bool isFinite = checked.Block.IsFinite(); // as a rule; then there is less to be looked at
+  checked.Block.Keep(
+    [&checked, isFinite](const vtkMTInputBlock::Triangle& t)
     {
-      error = places.HasFailed() ? places.GetError() : "the places of the input's points are incomplete";
-      return false;
-    }
-    PlaceRecord place;
-    std::memcpy(&place, record, sizeof(place));
-    if (place.Key != ((std::uint64_t(index) << 32) | point))
-    {
-      error = "the places of the input's points are not in order";
-      return false;
-    }
-    block.Places.push_back(place.X);
-    block.IsOpen.push_back(place.IsOpen != 0 ? 1 : 0);
-  }
-  return true;
-}
-
-void vtkMTInputSpool::Check(CheckedBlock& checked) const
-{
-  vtkMTInputBlock& block = checked.Block;
-  if (block.Points.empty())
-  {
-    return;
-  }
-  block.Keep(
-    [&](const vtkMTInputBlock::Triangle& t)
-    {
-      const char* fault = block.FindFault(t);
+      if (isFinite && !checked.Block.IsDegenerate(t))
+      {
+        return true;
+      }
+      const char* fault = checked.Block.FindFault(t);
       if (fault)
       {
         ++checked.Report[fault];
       }
       return !fault;
     });
-  block.Encode(checked.Bytes);
 }
 
-bool vtkMTInputSpool::PutChecked(std::size_t index, const CheckedBlock& checked)
+void vtkMTInputSpool::CountChecked(const BlockWork& checked)
 {
   for (const auto& [reason, triangles] : checked.Report)
   {
     this->Report[reason] += triangles;
   }
   this->Triangles += checked.Block.Triangles.size();
-  return this->Blocks.Put(index, checked.Bytes.data(), checked.Bytes.size(), this->Error);
 }
 
-void vtkMTInputSpool::LeaveOut(const Test& test, const char* reason, std::uint64_t triangles)
+bool vtkMTInputSpool::LeaveOut(const Test& test, const char* reason, std::uint64_t triangles)
 {
-  if (triangles > 0)
+  if (triangles == 0)
+  {
+    return true;
+  }
+  this->Triangles -= triangles;
+  this->Report[reason] += static_cast<std::int64_t>(triangles);
+  if (!this->IsInMemory())
   {
     this->IsLeftOut = test;
-    this->Triangles -= triangles;
-    this->Report[reason] += static_cast<std::int64_t>(triangles);
+    return true;
   }
+  for (vtkMTInputBlock& block : this->Kept)
+  {
+    if (!this->Points.LookUp(block.Points, block.Places, this->Error))
+    {
+      return false;
+    }
+    block.Keep([&](const vtkMTInputBlock::Triangle& t) { return !test(block, t); });
+    vtkMTRelease(block.Places);
+  }
+  return true;
 }
 
 bool vtkMTInputSpool::ReadBlock(std::size_t index, vtkMTInputBlock& block, std::string& error) const
 {
+  if (this->IsInMemory())
+  {
+    block = this->Kept[index];
+    block.IsOpen.resize(block.Points.size());
+    for (std::size_t p = 0; p < block.Points.size(); ++p)
+    {
+      block.IsOpen[p] = this->Uses[block.Points[p]] > 1 ? 1 : 0;
+    }
+    return this->Points.LookUp(block.Points, block.Places, error);
+  }
   std::vector<vtkMTBytes::Record> records;
   block = vtkMTInputBlock();
   if (!this->Blocks.Take(index, records, error) || (!records.empty() && !block.Decode(records[0], error)))

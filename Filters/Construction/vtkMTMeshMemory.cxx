@@ -28,6 +28,8 @@ constexpr double PerRecordTriangle = 26.0;
 constexpr double Sample = 1.5;
 // The DAG's records in builder, graph and sink: bytes per patch.
 constexpr double PerPatch = 600.0;
+// A partition's seeds with their neighbours: bytes per region.
+constexpr double PerRegion = 300.0;
 }
 
 vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBuildSettings& settings)
@@ -52,13 +54,14 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   const double patches = 2.2 * triangles / static_cast<double>(settings.PatchTriangles) + 16.0;
   const double copies = CopiesOfBlock + (settings.Threads > 1 ? CopiesAhead : 0.0);
   const double blocks = BlockTriangles * copies * values;
-  this->Needs.Standing = Base + blocks + triangles * Sample + patches * PerPatch;
+  const double regions = triangles / settings.GetRegionTarget() + 16.0;
+  this->Needs.Standing = Base + blocks + triangles * Sample + patches * PerPatch + regions * PerRegion;
   // A region for each thread, and half a one that waits to be taken over.
   this->Needs.Work = (settings.Threads + 0.5) * settings.GetFloorTarget() * this->PerByteSimplified * record;
   this->Needs.Blocks = 0.5 * Base + blocks;
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
   this->Needs.Sorts = 16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values);
   const double finer = settings.KeepsFinerLevels() ? 14.0 : 0.0;
-  // Fragments, patches and barycentres of the finest level, and the model itself: more than at any time before.
-  this->Needs.Spools = triangles * (68.0 + finer + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB;
+  // Fragments and patches of the finest level, and the model itself: more than at any time before.
+  this->Needs.Spools = triangles * (44.0 + finer + 2.0 * cellValues) + points * (58.0 + 2.0 * pointValues) + MiB;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTOrientation.h"
 
-#include "vtkMTRadixSort.h"
+#include "vtkMTHalfedgePairs.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace
@@ -19,147 +18,85 @@ struct EdgeRecord
   std::uint16_t IsTurned;
   std::uint16_t IsReversed;
 };
-
-// Triangles that are connected, and which of them agree with each other.
-class ParityUnion
-{
-public:
-  explicit ParityUnion(std::size_t size)
-    : Parent(size)
-    , Parity(size, 0)
-    , IsOrientable(size, 1)
-    , HasConflict(size, 0)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0u);
-  }
-
-  // The smallest of the triangles that are connected with it; parity with respect to that one.
-  std::uint32_t Find(std::uint32_t x, bool& parity)
-  {
-    // Twice along the path: first to the root, then every parent is set to it.
-    std::uint32_t root = x;
-    bool sum = false;
-    while (this->Parent[root] != root)
-    {
-      sum = sum != (this->Parity[root] != 0);
-      root = this->Parent[root];
-    }
-    parity = sum;
-    while (this->Parent[x] != root && x != root)
-    {
-      const std::uint32_t next = this->Parent[x];
-      const bool own = this->Parity[x] != 0;
-      this->Parent[x] = root;
-      this->Parity[x] = sum ? 1 : 0;
-      sum = sum != own;
-      x = next;
-    }
-    return root;
-  }
-
-  void Connect(std::uint32_t a, std::uint32_t b, bool conflict)
-  {
-    bool parityOfA = false;
-    bool parityOfB = false;
-    const std::uint32_t rootOfA = this->Find(a, parityOfA);
-    const std::uint32_t rootOfB = this->Find(b, parityOfB);
-    const std::uint32_t root = std::min(rootOfA, rootOfB);
-    const std::uint32_t other = std::max(rootOfA, rootOfB);
-    const bool differ = (parityOfA != parityOfB) != conflict;
-    if (root == other)
-    {
-      this->IsOrientable[root] = this->IsOrientable[root] && !differ ? 1 : 0;
-    }
-    else
-    {
-      this->Parent[other] = root;
-      this->Parity[other] = differ ? 1 : 0;
-      this->IsOrientable[root] = this->IsOrientable[root] && this->IsOrientable[other] ? 1 : 0;
-    }
-    this->HasConflict[root] = this->HasConflict[root] || this->HasConflict[other] || conflict ? 1 : 0;
-  }
-
-  std::vector<std::uint32_t> Parent;
-  std::vector<unsigned char> Parity;
-  std::vector<unsigned char> IsOrientable; // of roots
-  std::vector<unsigned char> HasConflict;
-};
-
-using Use = std::pair<std::uint64_t, std::uint32_t>; // an edge by its ends, and 3 triangle + corner
-
-// Connects the triangles at every edge that exactly two have.
-void ConnectNeighbours(std::vector<Use>& uses, const vtkMTPatch& mesh, ParityUnion& parts)
-{
-  std::vector<Use> scratch;
-  vtkMTRadixSort::Sort(uses, scratch, [](const Use& use) { return use.first; });
-  const auto start = [&mesh](std::uint32_t slot) { return mesh.GetPointsOfTriangle(slot / 3)[slot % 3]; };
-  for (std::size_t i = 0; i < uses.size();)
-  {
-    std::size_t end = i + 1;
-    while (end < uses.size() && uses[end].first == uses[i].first)
-    {
-      ++end;
-    }
-    if (end - i == 2)
-    {
-      const std::uint32_t a = uses[i].second;
-      const std::uint32_t b = uses[i + 1].second;
-      parts.Connect(a / 3, b / 3, start(a) == start(b));
-    }
-    i = end;
-  }
-}
 }
 
 //------------------------------------------------------------------------------
-void vtkMTOrientation::Fragment::Run(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& numbers)
+void vtkMTOrientation::Fragment::Run(
+  const vtkMTPatch& mesh, const std::vector<std::uint32_t>& numbers, const vtkMTHalfedgePairs& pairs)
 {
   const std::uint32_t count = static_cast<std::uint32_t>(mesh.Triangles.size());
-  ParityUnion parts(count);
-  std::vector<Use> uses;
-  uses.reserve(3 * std::size_t(count));
-  for (std::uint32_t t = 0; t < count; ++t)
-  {
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    for (std::uint32_t c = 0; c < 3; ++c)
-    {
-      const std::uint32_t a = p[c];
-      const std::uint32_t b = p[(c + 1) % 3];
-      if (a < mesh.Ids.size() && b < mesh.Ids.size())
-      {
-        const auto from = static_cast<std::uint32_t>(mesh.Ids[a]);
-        const auto to = static_cast<std::uint32_t>(mesh.Ids[b]);
-        this->OpenEdges.push_back({ std::min(from, to), std::max(from, to), t, to < from });
-        continue;
-      }
-      uses.emplace_back((std::uint64_t(std::min(a, b)) << 32) | std::max(a, b), 3 * t + c);
-    }
-  }
-  ConnectNeighbours(uses, mesh, parts);
-  // Roots are the smallest of their triangles, so components are numbered in the order of their first ones.
   this->ComponentOf.assign(count, None);
   this->IsTurned.assign(count, 0);
+  std::vector<std::uint32_t> reached; // but their neighbours were not looked at yet
   for (std::uint32_t t = 0; t < count; ++t)
   {
-    bool isTurned = false;
-    const std::uint32_t root = parts.Find(t, isTurned);
-    if (root == t)
+    if (this->ComponentOf[t] != None)
     {
-      this->ComponentOf[t] = static_cast<std::uint32_t>(this->Components.size());
-      this->Components.emplace_back();
-      this->Components.back().First = numbers[t];
-      this->Components.back().IsOrientable = parts.IsOrientable[root] != 0;
-      this->Components.back().HasConflict = parts.HasConflict[root] != 0;
+      continue;
     }
-    this->ComponentOf[t] = this->ComponentOf[root];
-    this->IsTurned[t] = isTurned ? 1 : 0;
-    Component& component = this->Components[this->ComponentOf[t]];
-    ++component.Triangles;
-    component.Turned += isTurned ? 1 : 0;
+    this->ComponentOf[t] = static_cast<std::uint32_t>(this->Components.size());
+    this->Components.emplace_back();
+    this->Components.back().First = numbers[t];
+    for (reached.push_back(t); !reached.empty();)
+    {
+      const std::uint32_t next = reached.back();
+      reached.pop_back();
+      this->Reach(next, mesh, pairs, reached);
+    }
   }
-  for (const OpenEdge& edge : this->OpenEdges)
+  this->FindOpenEdges(mesh, pairs);
+}
+
+// Looks across the edges of a triangle that is reached. Edges that other fragments may have as well connect nothing.
+void vtkMTOrientation::Fragment::Reach(
+  std::uint32_t triangle, const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs, std::vector<std::uint32_t>& reached)
+{
+  const std::uint32_t component = this->ComponentOf[triangle];
+  const bool isTurned = this->IsTurned[triangle] != 0;
+  Component& part = this->Components[component];
+  ++part.Triangles;
+  part.Turned += isTurned ? 1 : 0;
+  const std::uint32_t* corners = pairs.Corners.data() + 3 * std::size_t(triangle);
+  for (std::uint32_t c = 0; c < 3; ++c)
   {
-    this->Components[this->ComponentOf[edge.Triangle]].IsOpen = true;
+    const std::uint32_t partner = pairs.Partners[3 * std::size_t(triangle) + c];
+    if (partner >= vtkMTHalfedgePairs::Other || std::max(corners[c], corners[c == 2 ? 0 : c + 1]) < mesh.Ids.size())
+    {
+      continue;
+    }
+    const std::uint32_t neighbour = partner / 3;
+    const bool conflict = corners[c] == pairs.Corners[partner];
+    part.HasConflict = part.HasConflict || conflict;
+    if (this->ComponentOf[neighbour] == None)
+    {
+      this->ComponentOf[neighbour] = component;
+      this->IsTurned[neighbour] = isTurned != conflict ? 1 : 0;
+      reached.push_back(neighbour);
+    }
+    else if ((this->IsTurned[neighbour] != 0) != (isTurned != conflict))
+    {
+      part.IsOrientable = false;
+    }
+  }
+}
+
+void vtkMTOrientation::Fragment::FindOpenEdges(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs)
+{
+  const std::size_t shared = mesh.Ids.size();
+  for (std::uint32_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    const std::uint32_t* corners = pairs.Corners.data() + 3 * std::size_t(t);
+    for (std::uint32_t c = 0; c < 3; ++c)
+    {
+      const std::uint32_t next = c == 2 ? 0 : c + 1;
+      if (corners[c] < shared && corners[next] < shared)
+      {
+        const auto from = static_cast<std::uint32_t>(mesh.Ids[corners[c]]);
+        const auto to = static_cast<std::uint32_t>(mesh.Ids[corners[next]]);
+        this->OpenEdges.push_back({ std::min(from, to), std::max(from, to), t, to < from });
+        this->Components[this->ComponentOf[t]].IsOpen = true;
+      }
+    }
   }
 }
 

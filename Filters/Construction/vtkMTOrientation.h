@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+struct vtkMTHalfedgePairs;
+
 class VTKMTCONSTRUCTION_EXPORT vtkMTOrientation
 {
 public:
@@ -54,8 +56,14 @@ public:
     std::vector<unsigned char> IsTurned;    ///< per triangle, with respect to the component's first
     std::vector<OpenEdge> OpenEdges;
 
-    /// numbers: of the triangles in the whole mesh, increasing. The mesh's first Ids.size() points are shared.
-    void Run(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& numbers);
+    /// numbers: of the triangles in the whole mesh, increasing. The mesh's first Ids.size() points are shared; pairs
+    /// are those of its edges.
+    void Run(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& numbers, const vtkMTHalfedgePairs& pairs);
+
+  private:
+    void Reach(std::uint32_t triangle, const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs,
+      std::vector<std::uint32_t>& reached);
+    void FindOpenEdges(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs);
   };
 
   /// memory: bytes, for sorting.

@@ -10,12 +10,40 @@
 
 namespace
 {
+// Of a size that is known when it is compiled: a copy is one or two instructions then.
+template <std::size_t Size>
+void GatherTuples(const unsigned char* from, const std::vector<std::uint32_t>& tuples, unsigned char* to)
+{
+  for (const std::uint32_t tuple : tuples)
+  {
+    std::memcpy(to, from + tuple * Size, Size);
+    to += Size;
+  }
+}
+
 vtkMTColumn Gather(const vtkMTColumn& column, std::size_t tupleSize, const std::vector<std::uint32_t>& tuples)
 {
   vtkMTColumn result(column.empty() ? 0 : tuples.size() * tupleSize);
-  for (std::size_t i = 0; !column.empty() && i < tuples.size(); ++i)
+  if (result.empty())
   {
-    std::memcpy(result.data() + i * tupleSize, column.data() + tuples[i] * tupleSize, tupleSize);
+    return result;
+  }
+  switch (tupleSize)
+  {
+    case 4:
+      GatherTuples<4>(column.data(), tuples, result.data());
+      break;
+    case 8:
+      GatherTuples<8>(column.data(), tuples, result.data());
+      break;
+    case 12:
+      GatherTuples<12>(column.data(), tuples, result.data());
+      break;
+    default:
+      for (std::size_t i = 0; i < tuples.size(); ++i)
+      {
+        std::memcpy(result.data() + i * tupleSize, column.data() + tuples[i] * tupleSize, tupleSize);
+      }
   }
   return result;
 }
@@ -56,6 +84,7 @@ Corners FindCorners(
 {
   Corners corners;
   const std::size_t wedgeCount = mesh.GetNumberOfWedges();
+  const bool hasWedges = !mesh.WedgePoints.empty();
   for (std::uint32_t t : triangles)
   {
     for (std::uint32_t w : mesh.Triangles[t])
@@ -65,6 +94,12 @@ Corners FindCorners(
         continue;
       }
       scratch[w] = 0;
+      if (!hasWedges)
+      {
+        scratch[wedgeCount + w] = 0;
+        corners.Points.push_back(w);
+        continue;
+      }
       corners.Wedges.push_back(w);
       const std::uint32_t p = mesh.GetPointOfWedge(w);
       if (scratch[wedgeCount + p] == vtkMTPatchSplitter::None)
@@ -75,6 +110,31 @@ Corners FindCorners(
     }
   }
   return corners;
+}
+
+// Shared ones first, else in increasing order. scratch knows them.
+void SortPoints(const std::vector<unsigned char>& isShared, std::size_t wedgeCount,
+  const std::vector<std::uint32_t>& scratch, std::vector<std::uint32_t>& points)
+{
+  const std::size_t all = isShared.size();
+  if (points.size() < all / 32) // fewer than are worth looking at all others
+  {
+    std::sort(points.begin(), points.end());
+    std::stable_partition(points.begin(), points.end(), [&isShared](std::uint32_t p) { return isShared[p] != 0; });
+    return;
+  }
+  const std::uint32_t* isUsed = scratch.data() + wedgeCount;
+  std::vector<std::uint32_t> others;
+  others.reserve(points.size());
+  points.clear();
+  for (std::uint32_t p = 0; p < all; ++p)
+  {
+    if (isUsed[p] != vtkMTPatchSplitter::None)
+    {
+      (isShared[p] ? points : others).push_back(p);
+    }
+  }
+  points.insert(points.end(), others.begin(), others.end());
 }
 
 std::vector<std::size_t> GetTupleSizes(const std::vector<vtkMTColumn>& columns, std::size_t tuples)
@@ -88,34 +148,42 @@ std::vector<std::size_t> GetTupleSizes(const std::vector<vtkMTColumn>& columns, 
   return sizes;
 }
 
-// Triangles in order of region, each region's in increasing order; first[i] is where the i-th of `regions` begins.
+// Triangles in order of region, each region's in increasing order.
 struct Groups
 {
-  std::vector<std::uint32_t> Triangles;
-  std::vector<std::uint32_t> Regions;
-  std::vector<std::size_t> First;
+  std::vector<std::uint32_t> Regions; // increasing
+  std::vector<std::vector<std::uint32_t>> Triangles;
 
   explicit Groups(const std::vector<std::uint32_t>& regions)
-    : Triangles(regions.size())
+    : Regions(FindRegions(regions))
+    , Triangles(this->Regions.size())
   {
-    std::iota(this->Triangles.begin(), this->Triangles.end(), 0u);
-    std::vector<std::uint32_t> scratch;
-    vtkMTRadixSort::Sort(this->Triangles, scratch, [&regions](std::uint32_t t) { return std::uint64_t(regions[t]); });
-    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+    std::uint32_t last = 0; // neighbours in the list are of one group as a rule
+    for (std::uint32_t t = 0; t < regions.size(); ++t)
     {
-      const std::uint32_t region = regions[this->Triangles[i]];
-      if (this->Regions.empty() || this->Regions.back() != region)
+      if (this->Regions[last] != regions[t])
       {
-        this->Regions.push_back(region);
-        this->First.push_back(i);
+        const auto found = std::lower_bound(this->Regions.begin(), this->Regions.end(), regions[t]);
+        last = static_cast<std::uint32_t>(found - this->Regions.begin());
+      }
+      this->Triangles[last].push_back(t);
+    }
+  }
+
+private:
+  static std::vector<std::uint32_t> FindRegions(const std::vector<std::uint32_t>& regions)
+  {
+    std::vector<std::uint32_t> found; // of each run
+    for (const std::uint32_t region : regions)
+    {
+      if (found.empty() || found.back() != region)
+      {
+        found.push_back(region);
       }
     }
-    this->First.push_back(this->Triangles.size());
-  }
-  std::vector<std::uint32_t> GetTriangles(std::size_t group) const
-  {
-    return { this->Triangles.begin() + static_cast<std::ptrdiff_t>(this->First[group]),
-      this->Triangles.begin() + static_cast<std::ptrdiff_t>(this->First[group + 1]) };
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 };
 
@@ -126,12 +194,15 @@ void FindShared(const vtkMTPatch& fragment, const Groups& groups, std::vector<un
   std::vector<std::uint32_t> lastUser(fragment.Points.size(), none);
   for (std::uint32_t g = 0; g < groups.Regions.size(); ++g)
   {
-    for (std::size_t i = groups.First[g]; i < groups.First[g + 1]; ++i)
+    for (const std::uint32_t t : groups.Triangles[g])
     {
-      for (std::uint32_t p : fragment.GetPointsOfTriangle(groups.Triangles[i]))
+      for (const std::uint32_t p : fragment.GetPointsOfTriangle(t))
       {
-        isShared[p] = isShared[p] || (lastUser[p] != none && lastUser[p] != g) ? 1 : 0;
-        lastUser[p] = g;
+        if (lastUser[p] != g)
+        {
+          isShared[p] = isShared[p] || lastUser[p] != none ? 1 : 0;
+          lastUser[p] = g;
+        }
       }
     }
   }
@@ -157,9 +228,10 @@ std::vector<std::uint64_t> MakeIds(const vtkMTPatch& fragment, const Groups& gro
       isNew[p] = 0;
     }
   };
-  for (std::size_t g = 0; g < groups.Regions.size(); ++g)
+  vtkMTBorderOrder borders(fragment);
+  for (const std::vector<std::uint32_t>& triangles : groups.Triangles)
   {
-    const std::vector<std::uint32_t> border = vtkMTBorderOrder::Find(fragment, groups.GetTriangles(g));
+    const std::vector<std::uint32_t> border = borders.Find(triangles);
     std::for_each(border.begin(), border.end(), number);
   }
   for (std::uint32_t p = 0; p < ids.size(); ++p)
@@ -180,9 +252,7 @@ vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector
   Corners corners = FindCorners(mesh, triangles, scratch);
   std::vector<std::uint32_t>& points = corners.Points;
   std::vector<std::uint32_t>& wedges = corners.Wedges;
-  std::vector<std::uint32_t> sortScratch;
-  vtkMTRadixSort::Sort(points, sortScratch, [](std::uint32_t p) { return std::uint64_t(p); });
-  std::stable_partition(points.begin(), points.end(), [&isShared](std::uint32_t p) { return isShared[p] != 0; });
+  SortPoints(isShared, wedgeCount, scratch, points);
   patch.Points.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
   {
@@ -200,6 +270,7 @@ vtkMTPatch vtkMTPatchSplitter::Extract(const vtkMTPatch& mesh, const std::vector
   }
   else
   {
+    std::vector<std::uint32_t> sortScratch;
     vtkMTRadixSort::Sort(wedges, sortScratch, [&](std::uint32_t w) { return (std::uint64_t(newPoint(w)) << 32) | w; });
   }
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
@@ -226,7 +297,7 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
   std::uint32_t level, std::uint32_t fragmentRegion)
 {
   vtkMTPatchSplitter result;
-  const Groups groups(regions);
+  Groups groups(regions);
   std::vector<unsigned char> isShared(fragment.Points.size(), 0);
   std::fill(isShared.begin(), isShared.begin() + static_cast<std::ptrdiff_t>(fragment.Ids.size()), 1);
   FindShared(fragment, groups, isShared);
@@ -236,7 +307,7 @@ vtkMTPatchSplitter vtkMTPatchSplitter::Split(const vtkMTPatch& fragment, const s
   std::vector<std::uint32_t> scratch(fragment.GetNumberOfWedges() + fragment.Points.size(), None);
   for (std::size_t g = 0; g < groups.Regions.size(); ++g)
   {
-    std::vector<std::uint32_t> triangles = groups.GetTriangles(g);
+    std::vector<std::uint32_t>& triangles = groups.Triangles[g];
     vtkMTPatch patch = Extract(fragment, triangles, isShared, ids, pointTupleSizes, cellTupleSizes, scratch);
     result.Parts.push_back({ groups.Regions[g], std::move(patch), std::move(triangles) });
     for (const std::uint64_t id : result.Parts.back().Patch.Ids)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPointWelding.h"
 
-#include "vtkMTRadixSort.h"
+#include "vtkMTHalfedgePairs.h"
 
 #include <algorithm>
 #include <cstring>
@@ -109,38 +109,24 @@ bool vtkMTPointWelding::Fail(const std::string& error)
 // Border edges
 vtkMTPointWelding::BlockEdges vtkMTPointWelding::FindEdges(const vtkMTInputBlock& block)
 {
-  // The block's own edges: smaller end, larger end. Blocks have fewer than 2^18 points.
-  constexpr int bits = 18;
-  static_assert(3 * vtkMTInputBlock::Size < (std::size_t(1) << bits), "points of a block must fit");
-  using Key = std::pair<std::uint64_t, std::uint32_t>; // with the corner
+  const vtkMTHalfedgePairs pairs(block.Triangles, block.Points.size());
   BlockEdges result;
-  std::vector<Key> keys;
-  std::vector<Key> scratch;
-  for (std::uint32_t corner = 0; corner < 3 * block.Triangles.size(); ++corner)
+  for (std::uint32_t t = 0; t < block.Triangles.size(); ++t)
   {
-    const vtkMTInputBlock::Triangle& t = block.Triangles[corner / 3];
-    const std::uint64_t a = t[corner % 3];
-    const std::uint64_t b = t[(corner + 1) % 3];
-    if (block.IsOpen[a] && block.IsOpen[b])
+    const vtkMTInputBlock::Triangle& points = block.Triangles[t];
+    const bool isOpen[4] = { block.IsOpen[points[0]] != 0, block.IsOpen[points[1]] != 0, block.IsOpen[points[2]] != 0,
+      block.IsOpen[points[0]] != 0 };
+    for (std::uint32_t c = 0; c < 3; ++c)
     {
-      result.Open.push_back(corner);
-      continue;
+      if (isOpen[c] && isOpen[c + 1])
+      {
+        result.Open.push_back(3 * t + c);
+      }
+      else if (pairs.Partners[3 * std::size_t(t) + c] == vtkMTHalfedgePairs::None)
+      {
+        result.Border.push_back(3 * t + c);
+      }
     }
-    keys.emplace_back((std::min(a, b) << bits) | std::max(a, b), corner);
-  }
-  vtkMTRadixSort::Sort(keys, scratch, [](const Key& key) { return key.first; });
-  for (std::size_t i = 0; i < keys.size();)
-  {
-    std::size_t end = i + 1;
-    while (end < keys.size() && keys[end].first == keys[i].first)
-    {
-      ++end;
-    }
-    if (end - i == 1)
-    {
-      result.Border.push_back(keys[i].second);
-    }
-    i = end;
   }
   return result;
 }

@@ -44,6 +44,7 @@ public:
   std::size_t GetNumberOfRegions() const { return this->Records.GetNumberOfKeys(); }
   const vtkMTRecordSpool& GetRecords() const { return this->Records; } ///< for their sizes
   void Save(Bytes& state) const { this->Records.Save(state); }
+  void Forget(std::size_t region) { this->Records.Forget(region); } ///< it will not be taken again
   void Remove() { this->Records.Remove(); }
 
 private:

@@ -61,6 +61,5 @@ bool vtkMTSequenceState::Load(vtkMTSpoolStore& store, const std::vector<unsigned
   {
     return this->Patches.Open(store, GetPatchesName(this->Level), records, error);
   }
-  return this->Fragments.Open(store, GetFragmentsName(this->Level), records, error) &&
-    this->Barycentres.Open(store, GetBarycentresName(this->Level), this->LevelElements.back(), error);
+  return this->Fragments.Open(store, GetFragmentsName(this->Level), records, error);
 }

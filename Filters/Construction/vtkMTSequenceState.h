@@ -46,15 +46,13 @@ public:
   ///@}
   std::string DihedralAngles; ///< the figures that it chooses by
 
-  vtkMTRecordSpool Fragments;       ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
-  vtkMTBarycentreSpool Barycentres; ///< of M_Level, in the order of the fragments
-  vtkMTRegionSpool Patches;         ///< by region of Psi_(Level + 1), with its locks
-  vtkMTFinerLevels Finer;           ///< the last levels that were split
+  vtkMTRecordSpool Fragments; ///< by region of Psi_Level, a vtkMTCertifiedMesh or none
+  vtkMTRegionSpool Patches;   ///< by region of Psi_(Level + 1), with its locks
+  vtkMTFinerLevels Finer;     ///< the last levels that were split
 
   ///@{
   /// Names of the spools of a level.
   static std::string GetFragmentsName(std::uint32_t level) { return "fragments-" + std::to_string(level); }
-  static std::string GetBarycentresName(std::uint32_t level) { return "barycentres-" + std::to_string(level); }
   static std::string GetPatchesName(std::uint32_t level) { return "patches-" + std::to_string(level); }
   ///@}
 

@@ -30,12 +30,12 @@ vtkMTSharedIds::vtkMTSharedIds(vtkMTSpoolStore& store, std::size_t memory)
 {
 }
 
-std::vector<std::uint32_t> vtkMTSharedIds::FindPlaces(const vtkMTPatch& fragment)
+std::vector<std::uint32_t> vtkMTSharedIds::FindPlaces(const vtkMTPatch& fragment, const vtkMTHalfedgePairs& pairs)
 {
   constexpr std::uint32_t none = ~std::uint32_t(0);
   std::vector<std::uint32_t> places(fragment.Ids.size(), none);
   std::uint32_t next = 0;
-  for (const std::uint32_t point : vtkMTBorderOrder::Find(fragment))
+  for (const std::uint32_t point : vtkMTBorderOrder::Find(fragment, pairs))
   {
     if (point < places.size())
     {

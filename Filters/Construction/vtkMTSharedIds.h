@@ -19,14 +19,17 @@
 #include <string>
 #include <vector>
 
+struct vtkMTHalfedgePairs;
+
 class VTKMTCONSTRUCTION_EXPORT vtkMTSharedIds
 {
 public:
   /// memory: bytes, for both sorts together.
   vtkMTSharedIds(vtkMTSpoolStore& store, std::size_t memory);
 
-  /// For each of a fragment's shared points its place along the border, those that are not on it last.
-  static std::vector<std::uint32_t> FindPlaces(const vtkMTPatch& fragment);
+  /// For each of a fragment's shared points its place along the border, those that are not on it last. pairs:
+  /// of its edges.
+  static std::vector<std::uint32_t> FindPlaces(const vtkMTPatch& fragment, const vtkMTHalfedgePairs& pairs);
 
   ///@{
   /// Add with the identities and places of all regions' shared points, in increasing order of region; then Solve; then

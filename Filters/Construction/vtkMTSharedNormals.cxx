@@ -93,6 +93,7 @@ bool vtkMTSharedNormals::SolvePoint(
   std::vector<Term>& terms, const vtkMTOrientation& orientation, const Settings& settings)
 {
   std::vector<vtkMTPointNormals::Corner> corners;
+  corners.reserve(terms.size());
   vtkMTMadeNormals::Sum sum{ 0, 0, 0 };
   for (const Term& term : terms)
   {

@@ -15,8 +15,7 @@ bool vtkMTSimplifyStep::Run()
   std::uint64_t left = 0;
   std::uint64_t triangles = 0;
   if (!state.Fragments.Begin(
-        *this->Options.Store, vtkMTSequenceState::GetFragmentsName(next), state.NextRegions, this->Error) ||
-    !state.Barycentres.Begin(*this->Options.Store, vtkMTSequenceState::GetBarycentresName(next), this->Error))
+        *this->Options.Store, vtkMTSequenceState::GetFragmentsName(next), state.NextRegions, this->Error))
   {
     return false;
   }
@@ -32,9 +31,10 @@ bool vtkMTSimplifyStep::Run()
       const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
       left += results[slot].Step.Fragment.Mesh.Triangles.size();
       triangles += results[slot].Step.FloorTriangles;
+      state.Patches.Forget(region);
       return this->PutFragment(next, region, results[slot], error) && this->Continue("simplifying", triangles);
     });
-  if (!done || !state.Fragments.Seal(this->Error) || !state.Barycentres.Seal(this->Error))
+  if (!done || !state.Fragments.Seal(this->Error))
   {
     return false;
   }
@@ -80,7 +80,6 @@ bool vtkMTSimplifyStep::SimplifyRegion(std::size_t region, Result& result, std::
     return false;
   }
   const vtkMTStageTimes::Scope encode(vtkMTStageTimes::Encode);
-  result.Barycentres = vtkMTBarycentreSpool::GetBarycentres(result.Step.Fragment.Mesh);
   result.Step.Fragment.Encode(result.Record);
   return true;
 }
@@ -109,6 +108,5 @@ bool vtkMTSimplifyStep::PutFragment(std::uint32_t level, std::size_t region, con
   {
     state.Graph.Blocked[cause] += edges;
   }
-  return state.Fragments.Put(region, result.Record.data(), result.Record.size(), error) &&
-    state.Barycentres.Put(result.Barycentres, error);
+  return state.Fragments.Put(region, result.Record.data(), result.Record.size(), error);
 }

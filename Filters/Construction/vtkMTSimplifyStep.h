@@ -25,7 +25,6 @@ private:
   {
     vtkMTRegionStep Step;
     Bytes Record;
-    std::vector<vtkMTBarycentreSpool::Barycentre> Barycentres;
   };
 
   std::vector<std::size_t> CertifiedArrays; // among the graph's arrays

@@ -3,6 +3,7 @@
 
 #include "vtkMTLocks.h"
 #include "vtkMTPartitionStrategy.h"
+#include "vtkMTPatchRecord.h"
 #include "vtkMTPatchSplitter.h"
 #include "vtkMTSliverMerge.h"
 
@@ -12,12 +13,86 @@
 
 using Barycentre = vtkMTBarycentreSpool::Barycentre;
 
+namespace
+{
+// The barycentres of a level's fragments, one after the other, made when they are asked for.
+class FragmentScan : public vtkMTBarycentreScan
+{
+public:
+  FragmentScan(const vtkMTSequenceState& state, std::function<bool()> proceed)
+    : State(state)
+    , Proceed(std::move(proceed))
+  {
+  }
+
+  std::size_t GetNumberOfTriangles() const override
+  {
+    return static_cast<std::size_t>(this->State.LevelElements.back());
+  }
+
+  bool Scan(const Block& block) override
+  {
+    std::size_t count = 0; // of those that wait
+    for (std::size_t fragment = 0; fragment < this->State.Fragments.GetNumberOfKeys(); ++fragment)
+    {
+      if (!this->AddBarycentres(fragment, count))
+      {
+        return false;
+      }
+      if (count >= Many)
+      {
+        block(this->Barycentres.data(), count);
+        count = 0;
+        if (!this->Proceed())
+        {
+          return false;
+        }
+      }
+    }
+    block(this->Barycentres.data(), count);
+    return true;
+  }
+
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  bool AddBarycentres(std::size_t fragment, std::size_t& count)
+  {
+    std::vector<vtkMTBytes::Record> records;
+    if (!this->State.Fragments.Take(fragment, records, this->Error))
+    {
+      return false;
+    }
+    if (records.empty())
+    {
+      return true;
+    }
+    vtkMTBytes::Reader reader(records[0]);
+    const vtkMTPatchRecord::Shape shape = vtkMTPatchRecord::TakeShape(reader);
+    if (!reader.IsSound())
+    {
+      this->Error = "temporary data does not hold the mesh that was written";
+      return false;
+    }
+    this->Barycentres.resize(std::max(this->Barycentres.size(), count + shape.Triangles.size()));
+    vtkMTBarycentreSpool::PutBarycentres(shape, this->Barycentres.data() + count);
+    count += shape.Triangles.size();
+    return true;
+  }
+
+  static constexpr std::size_t Many = 16384;
+  const vtkMTSequenceState& State;
+  const std::function<bool()> Proceed;
+  std::vector<Barycentre> Barycentres;
+  std::string Error;
+};
+}
+
 std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
 {
-  vtkMTBarycentreSpool& scan = this->State.Barycentres;
+  FragmentScan scan(this->State, [this] { return this->Continue("placing regions", 0); });
   const int level = static_cast<int>(this->State.Level) + 1;
   const vtkMTStageTimes::Scope seed(this->Options.Times, vtkMTStageTimes::Seed, true);
-  scan.SetContinue([this] { return this->Continue("placing regions", 0); });
   auto partition = this->Options.Partition->Build(scan, this->Options.GetFloorTarget(), level);
   if (!partition)
   {
@@ -71,6 +146,7 @@ bool vtkMTSplitStep::Run()
     {
       const vtkMTStageTimes::Scope write(this->Options.Times, vtkMTStageTimes::Write);
       triangles += splits[slot].Triangles;
+      state.Fragments.Forget(fragment);
       return this->PutPatches(state.NodeOfFragment[fragment], splits[slot], error) &&
         locks.Add(splits[slot].Uses, error) && this->Continue("splitting fragments", triangles);
     });
@@ -89,7 +165,6 @@ bool vtkMTSplitStep::Run()
     state.NextRegions = std::max(state.NextRegions, state.Arcs[a].FromNode + 1);
   }
   state.Fragments.Remove();
-  state.Barycentres.Remove();
   state.Stage = vtkMTSequenceState::HasPatches;
   return true;
 }

@@ -9,7 +9,7 @@
 namespace
 {
 // To be changed with what states hold: a checkpoint of another version of the program is an error then.
-constexpr std::uint64_t Version = 0x4d54637000000002; // "MTcp"
+constexpr std::uint64_t Version = 0x4d54637000000003; // "MTcp"
 }
 
 bool vtkMTCheckpoint::Write(vtkMTSpoolStore& store, std::string& error) const

@@ -25,6 +25,14 @@ Vector GetSide(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
   return side;
 }
 
+// In whole steps.
+std::uint64_t GetLength(const vtkMTPatch& mesh, std::uint32_t from, std::uint32_t to)
+{
+  const double length = Norm(GetSide(mesh, from, to));
+  const auto whole = static_cast<std::int64_t>(length);
+  return static_cast<std::uint64_t>(whole + (length - static_cast<double>(whole) >= 0.5 ? 1 : 0));
+}
+
 double GetCosine(double degrees)
 {
   return std::cos(vtkMath::RadiansFromDegrees(degrees));
@@ -56,59 +64,72 @@ vtkMTDihedralAngles::EdgeKind vtkMTDihedralAngles::GetKind(const Normal& a, cons
   return dot > flat * product ? Flat : dot > hard * product ? Soft : dot > sharp * product ? Hard : Sharp;
 }
 
-// Kinds: [half-edges], None where there is no angle; both sides of an edge have its kind.
-vtkMTDihedralAngles::Edges vtkMTDihedralAngles::FindEdges(const vtkMTPatch& mesh)
-{
-  Edges edges;
-  edges.Corners.reserve(3 * mesh.Triangles.size());
-  std::vector<Normal> normals;
-  normals.reserve(mesh.Triangles.size());
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    const vtkMTTriangle p = mesh.GetPointsOfTriangle(t);
-    edges.Corners.insert(edges.Corners.end(), p.begin(), p.end());
-    const Vector normal = Cross(GetSide(mesh, p[0], p[1]), GetSide(mesh, p[0], p[2]));
-    normals.push_back({ normal, Norm(normal) });
-  }
-  edges.Opposites = vtkMTHalfedgePairs::Find(edges.Corners);
-  edges.Kinds.assign(edges.Corners.size(), None);
-  for (std::uint32_t h = 0; h < edges.Opposites.size(); ++h)
-  {
-    const std::uint32_t opposite = edges.Opposites[h];
-    if (opposite != vtkMTHalfedgePairs::None && opposite > h)
-    {
-      edges.Kinds[h] = edges.Kinds[opposite] = GetKind(normals[h / 3], normals[opposite / 3]);
-    }
-  }
-  return edges;
-}
-
-void vtkMTDihedralAngles::AddEdge(EdgeKind kind, bool isBetweenFlat, std::uint64_t weight, Sum& sum)
-{
-  sum.Edges += weight;
-  sum.Flat += kind == Flat ? weight : 0;
-  sum.Hard += kind >= Hard ? weight : 0;
-  sum.Sharp += kind == Sharp ? weight : 0;
-  sum.Creases += kind >= Hard && isBetweenFlat ? weight : 0;
-}
-
 void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh)
 {
-  const Edges edges = FindEdges(mesh);
-  const auto isBesideFlat = [&edges](std::uint32_t h)
-  { return edges.Kinds[vtkMTHalfedgePairs::Next(h)] == Flat || edges.Kinds[vtkMTHalfedgePairs::Previous(h)] == Flat; };
-  for (std::uint32_t h = 0; h < edges.Kinds.size(); ++h)
+  this->Add(mesh, vtkMTHalfedgePairs(mesh));
+}
+
+void vtkMTDihedralAngles::Add(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs)
+{
+  std::vector<std::uint32_t> hardEdges;
+  const std::vector<EdgeKind> kinds = this->AddKinds(mesh, pairs, hardEdges);
+  const auto isBesideFlat = [&kinds](std::uint32_t h)
+  { return kinds[vtkMTHalfedgePairs::Next(h)] == Flat || kinds[vtkMTHalfedgePairs::Previous(h)] == Flat; };
+  for (const std::uint32_t h : hardEdges)
   {
-    const EdgeKind kind = edges.Kinds[h];
-    if (kind == None || edges.Opposites[h] < h)
+    if (isBesideFlat(h) && isBesideFlat(pairs.Partners[h]))
     {
-      continue;
+      ++this->Numbers.Creases;
+      this->Lengths.Creases += GetLength(mesh, pairs.Corners[h], pairs.Corners[vtkMTHalfedgePairs::Next(h)]);
     }
-    const bool isBetweenFlat = kind >= Hard && isBesideFlat(h) && isBesideFlat(edges.Opposites[h]);
-    const double length = Norm(GetSide(mesh, edges.Corners[h], edges.Corners[vtkMTHalfedgePairs::Next(h)]));
-    AddEdge(kind, isBetweenFlat, 1, this->Numbers);
-    AddEdge(kind, isBetweenFlat, static_cast<std::uint64_t>(std::llround(length)), this->Lengths);
   }
+}
+
+// Gives the kind of each half-edge, None where there is no angle, and one half-edge of each hard edge.
+std::vector<vtkMTDihedralAngles::EdgeKind> vtkMTDihedralAngles::AddKinds(
+  const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs, std::vector<std::uint32_t>& hardEdges)
+{
+  std::vector<Normal> normals(mesh.Triangles.size());
+  for (std::size_t t = 0; t < normals.size(); ++t)
+  {
+    const std::uint32_t* p = pairs.Corners.data() + 3 * t;
+    normals[t].Direction = Cross(GetSide(mesh, p[0], p[1]), GetSide(mesh, p[0], p[2]));
+    normals[t].Length = Norm(normals[t].Direction);
+  }
+  std::vector<EdgeKind> kinds(pairs.Corners.size(), None);
+  std::array<std::uint64_t, Sharp + 1> numbers{};
+  std::array<std::uint64_t, Sharp + 1> lengths{};
+  for (std::uint32_t t = 0; t < normals.size(); ++t)
+  {
+    const std::uint32_t first = 3 * t;
+    for (std::uint32_t h = first; h < first + 3; ++h)
+    {
+      const std::uint32_t partner = pairs.Partners[h];
+      if (partner <= h || !pairs.HasPartner(h) || !pairs.AreOpposite(h, partner))
+      {
+        continue;
+      }
+      const EdgeKind kind = GetKind(normals[t], normals[partner / 3]);
+      kinds[h] = kinds[partner] = kind;
+      ++numbers[kind];
+      lengths[kind] += GetLength(mesh, pairs.Corners[h], pairs.Corners[h == first + 2 ? first : h + 1]);
+      if (kind >= Hard)
+      {
+        hardEdges.push_back(h);
+      }
+    }
+  }
+  AddKinds(numbers, this->Numbers);
+  AddKinds(lengths, this->Lengths);
+  return kinds;
+}
+
+void vtkMTDihedralAngles::AddKinds(const std::array<std::uint64_t, Sharp + 1>& weights, Sum& sum)
+{
+  sum.Edges += weights[Flat] + weights[Soft] + weights[Hard] + weights[Sharp];
+  sum.Flat += weights[Flat];
+  sum.Hard += weights[Hard] + weights[Sharp];
+  sum.Sharp += weights[Sharp];
 }
 
 void vtkMTDihedralAngles::Add(const vtkMTDihedralAngles& other)

@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+struct vtkMTHalfedgePairs;
+
 class VTKMTFILTERSCORE_EXPORT vtkMTDihedralAngles
 {
 public:
@@ -44,6 +46,7 @@ public:
   static constexpr double LeastProductWithoutCreases = 0.02; ///< such as cones, whose sides have no flat edge
 
   void Add(const vtkMTPatch& mesh);
+  void Add(const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs);
   void Add(const vtkMTDihedralAngles& other);
 
   struct Sum
@@ -78,16 +81,11 @@ private:
     std::array<double, 3> Direction;
     double Length;
   };
-  struct Edges
-  {
-    std::vector<std::uint32_t> Corners;
-    std::vector<std::uint32_t> Opposites;
-    std::vector<EdgeKind> Kinds;
-  };
 
   static EdgeKind GetKind(const Normal& a, const Normal& b);
-  static Edges FindEdges(const vtkMTPatch& mesh);
-  static void AddEdge(EdgeKind kind, bool isBetweenFlat, std::uint64_t weight, Sum& sum);
+  std::vector<EdgeKind> AddKinds(
+    const vtkMTPatch& mesh, const vtkMTHalfedgePairs& pairs, std::vector<std::uint32_t>& hardEdges);
+  static void AddKinds(const std::array<std::uint64_t, Sharp + 1>& weights, Sum& sum);
 
   Sum Numbers;
   Sum Lengths;

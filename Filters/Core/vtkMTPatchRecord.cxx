@@ -66,6 +66,16 @@ bool vtkMTPatchRecord::Take(vtkMTBytes::Reader& reader, vtkMTPatch& patch)
   return reader.IsSound();
 }
 
+vtkMTPatchRecord::Shape vtkMTPatchRecord::TakeShape(vtkMTBytes::Reader& reader)
+{
+  Shape shape;
+  shape.Points = reader.TakeView<vtkMTPoint>();
+  reader.TakeView<std::uint64_t>(); // ids
+  shape.WedgePoints = reader.TakeView<std::uint32_t>();
+  shape.Triangles = reader.TakeView<vtkMTTriangle>();
+  return shape;
+}
+
 void vtkMTPatchRecord::Encode(const vtkMTPatch& patch, std::vector<unsigned char>& bytes)
 {
   bytes.clear();

@@ -28,6 +28,16 @@ struct VTKMTFILTERSCORE_EXPORT vtkMTPatchRecord
   /// As a part of a record. Take gives false when the bytes are not those of a patch.
   static void Put(const vtkMTPatch& patch, vtkMTBytes::Writer& writer);
   static bool Take(vtkMTBytes::Reader& reader, vtkMTPatch& patch);
+
+  /// Points and triangles of a record, where they lie.
+  struct Shape
+  {
+    vtkMTBytes::View<vtkMTPoint> Points;
+    vtkMTBytes::View<std::uint32_t> WedgePoints;
+    vtkMTBytes::View<vtkMTTriangle> Triangles;
+  };
+  /// What Put has put, up to these.
+  static Shape TakeShape(vtkMTBytes::Reader& reader);
   ///@}
 
   /// Replaces what is in bytes.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTBarycentreSample.h"
 
+#include <algorithm>
+
 std::uint64_t vtkMTBarycentreSample::Hash(std::uint64_t number)
 {
   // The finaliser of SplitMix64.
@@ -15,9 +17,9 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
   this->Points.clear();
   this->Points.reserve(scan.GetNumberOfTriangles() / stride + 1);
   this->Count = 0;
-  this->Largest = 0.0;
   Point first = { 0.0, 0.0, 0.0 };
   Point sum = { 0.0, 0.0, 0.0 };
+  double largest = 0.0;
   std::size_t run = 0;   // the next one
   std::size_t taken = 0; // of the present one
   const bool ok = scan.Scan(
@@ -33,7 +35,7 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
         for (int axis = 0; axis < 3; ++axis)
         {
           sum[axis] += barycentres[i][axis] - first[axis];
-          this->Largest = std::fmax(this->Largest, std::fabs(barycentres[i][axis]));
+          largest = std::max(largest, std::fabs(barycentres[i][axis])); // both are numbers
         }
         // Once per run: divisions for every barycentre take longer than all the rest.
         if (this->Count == run * stride)
@@ -46,6 +48,7 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
         }
       }
     });
+  this->Largest = largest;
   for (int axis = 0; ok && this->Count > 0 && axis < 3; ++axis)
   {
     this->Mean[axis] = first[axis] + sum[axis] / static_cast<double>(this->Count);

@@ -50,25 +50,16 @@ bool vtkMTSeedBound::Visit(const vtkMTSeedPartition& partition, Visitor&& visito
 
 bool vtkMTSeedBound::Count(const vtkMTSeedPartition& partition)
 {
-  const std::vector<Point>& seeds = partition.GetSeeds();
-  this->Loads.assign(seeds.size(), Load());
-  return this->Visit(partition,
-    [&](std::uint32_t region, const Point& x)
-    {
-      Load& load = this->Loads[region];
-      ++load.All;
-      load.AtSeed += Coincide(x, seeds[region]) ? 1 : 0;
-    });
+  this->Loads.assign(partition.GetNumberOfRegions(), Load());
+  return this->Visit(partition, [&](std::uint32_t region, const Point&) { ++this->Loads[region].All; });
 }
 
-bool vtkMTSeedBound::MarkOverfull()
+bool vtkMTSeedBound::MarkLarge()
 {
   bool any = false;
   for (Load& load : this->Loads)
   {
-    const double all = static_cast<double>(load.All);
-    const double others = static_cast<double>(load.All - load.AtSeed);
-    if (all > vtkMTPartitionStrategy::MaximumOverload * this->Target && others > this->Target)
+    if (static_cast<double>(load.All) > vtkMTPartitionStrategy::MaximumOverload * this->Target)
     {
       load.Stride = vtkMTBarycentreSample::GetStride(this->Target, this->SamplesPerRegion);
       any = true;
@@ -84,11 +75,32 @@ bool vtkMTSeedBound::Gather(const vtkMTSeedPartition& partition)
     [&](std::uint32_t region, const Point& x)
     {
       Load& load = this->Loads[region];
-      if (load.Stride > 0 && !Coincide(x, seeds[region]) && vtkMTBarycentreSample::IsTaken(load.Seen++, load.Stride))
+      if (load.Stride == 0)
+      {
+        return;
+      }
+      if (Coincide(x, seeds[region]))
+      {
+        ++load.AtSeed;
+      }
+      else if (vtkMTBarycentreSample::IsTaken(load.Seen++, load.Stride))
       {
         load.Sample.push_back(x);
       }
     });
+}
+
+// Large regions whose barycentres nearly all coincide with the seed stay as they are.
+bool vtkMTSeedBound::KeepOverfull()
+{
+  bool any = false;
+  for (Load& load : this->Loads)
+  {
+    const bool isOverfull = load.Stride > 0 && static_cast<double>(load.All - load.AtSeed) > this->Target;
+    load.Stride = isOverfull ? load.Stride : 0;
+    any = any || isOverfull;
+  }
+  return any;
 }
 
 std::vector<vtkMTSeedBound::Point> vtkMTSeedBound::AddSeeds(const vtkMTSeedPartition& partition) const
@@ -144,15 +156,16 @@ std::unique_ptr<vtkMTPartition> vtkMTSeedBound::Hold(std::vector<Point> seeds)
     {
       return nullptr;
     }
-    if (!this->MarkOverfull())
+    const bool hasLarge = this->MarkLarge();
+    if (hasLarge && !this->Gather(*partition))
+    {
+      return nullptr;
+    }
+    if (!hasLarge || !this->KeepOverfull())
     {
       seeds = this->RemoveEmpty(*partition);
       const bool same = seeds.empty() || seeds.size() == partition->GetSeeds().size();
       return same ? std::move(partition) : std::make_unique<vtkMTSeedPartition>(std::move(seeds));
-    }
-    if (!this->Gather(*partition))
-    {
-      return nullptr;
     }
     seeds = this->AddSeeds(*partition);
   }

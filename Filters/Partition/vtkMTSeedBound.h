@@ -38,15 +38,16 @@ private:
   struct Load
   {
     std::size_t All = 0;
-    std::size_t AtSeed = 0;
-    std::size_t Stride = 0; // of the sample; 0 unless the region is overfull
+    std::size_t Stride = 0; // of the sample; 0 unless the region is large, or overfull
+    std::size_t AtSeed = 0; // of large regions
     std::size_t Seen = 0;
     std::vector<Point> Sample; // of the barycentres that are not at the seed
   };
 
   bool Count(const vtkMTSeedPartition& partition);
-  bool MarkOverfull();
+  bool MarkLarge();
   bool Gather(const vtkMTSeedPartition& partition);
+  bool KeepOverfull();
   std::vector<Point> AddSeeds(const vtkMTSeedPartition& partition) const;
   std::vector<Point> RemoveEmpty(const vtkMTSeedPartition& partition) const;
 

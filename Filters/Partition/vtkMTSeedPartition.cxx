@@ -20,10 +20,10 @@ vtkMTSeedPartition::vtkMTSeedPartition(std::vector<std::array<double, 3>> seeds)
   std::vector<std::uint32_t> order(this->Seeds.size());
   std::iota(order.begin(), order.end(), 0u);
   this->BuildBranch(order, 0, 0, leaves);
-  this->Clearance2.resize(this->Seeds.size());
-  for (std::uint32_t region = 0; region < this->Clearance2.size(); ++region)
+  this->Neighbours.resize(this->Seeds.size());
+  for (std::uint32_t region = 0; region < this->Neighbours.size(); ++region)
   {
-    this->Clearance2[region] = this->GetClearance2(region);
+    this->FindNeighbours(region);
   }
 }
 
@@ -91,7 +91,8 @@ void vtkMTSeedPartition::BuildBranch(
 
 void vtkMTSeedPartition::FillLeaf(std::vector<std::uint32_t>& order, std::size_t leaf)
 {
-  // Unused places hold infinity: their distance is never less than another's, so the search needs no count.
+  // Unused places hold infinity: their distance is never less than another's,
+  // so the search needs no count.
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Leaf& target = this->Leaves[leaf];
   std::fill_n(target.X, LeafSize, infinity);
@@ -113,7 +114,8 @@ void vtkMTSeedPartition::FillLeaf(std::vector<std::uint32_t>& order, std::size_t
 
 void vtkMTSeedPartition::SearchLeaf(const Leaf& leaf, const std::array<double, 3>& x, Best& best)
 {
-  // No branches up to the first test, so that the compiler makes vector instructions of it; most leaves end there.
+  // No branches up to the first test, so that the compiler makes vector
+  // instructions of it; most leaves end there.
   double distance[LeafSize];
   for (std::size_t i = 0; i < LeafSize; ++i)
   {
@@ -148,46 +150,95 @@ std::uint32_t vtkMTSeedPartition::Locate(const std::array<double, 3>& x) const
 
 void vtkMTSeedPartition::LocateAll(const std::array<double, 3>* points, std::size_t count, std::uint32_t* regions) const
 {
-  // The search begins with the region of the point before: where that is the right one, it ends at once or nearly so.
-  // What is found does not depend on where the search began.
-  std::uint32_t region = 0;
+  // The search begins with the region of the point before: where that is the
+  // right one, it ends at once or nearly so. What is found does not depend on
+  // where the search began.
+  Best best{ 0.0, 0 };
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::array<double, 3>& seed = this->Seeds[region];
-    const double dx = seed[0] - points[i][0];
-    const double dy = seed[1] - points[i][1];
-    const double dz = seed[2] - points[i][2];
-    const double distance = dx * dx + dy * dy + dz * dz;
-    if (!(distance < this->Clearance2[region]))
+    best.Distance = this->GetDistance2(points[i], best.Region);
+    if (!(best.Distance < this->Neighbours[best.Region][0].Reach2))
     {
-      region = distance < std::numeric_limits<double>::infinity()
-        ? this->Search(points[i], { distance, region }, SearchLeaf).Region
-        : this->Locate(points[i]);
+      best.Region =
+        best.Distance < std::numeric_limits<double>::infinity() ? this->Walk(points[i], best) : this->Locate(points[i]);
     }
-    regions[i] = region;
+    regions[i] = best.Region;
   }
 }
 
-double vtkMTSeedPartition::GetClearance2(std::uint32_t region) const
+double vtkMTSeedPartition::GetDistance2(const std::array<double, 3>& x, std::uint32_t region) const
 {
-  const auto lookAtOthers = [region](const Leaf& leaf, const std::array<double, 3>& x, Best& best)
+  const std::array<double, 3>& seed = this->Seeds[region];
+  const double dx = seed[0] - x[0];
+  const double dy = seed[1] - x[1];
+  const double dz = seed[2] - x[2];
+  return dx * dx + dy * dy + dz * dz;
+}
+
+// From seed to nearer neighbour, as long as there is one: what lies beyond the
+// last one's reach is farther away than it.
+std::uint32_t vtkMTSeedPartition::Walk(const std::array<double, 3>& x, Best best) const
+{
+  const Neighbour* next = this->Neighbours[best.Region].data();
+  while (!(best.Distance < next->Reach2))
   {
-    Leaf others = leaf;
+    if (next->Region == NoRegion)
+    {
+      return this->Search(x, best, SearchLeaf).Region;
+    }
+    const double distance = this->GetDistance2(x, next->Region);
+    if (distance < best.Distance || (distance == best.Distance && next->Region < best.Region))
+    {
+      best = { distance, next->Region };
+      next = this->Neighbours[best.Region].data();
+      continue;
+    }
+    ++next;
+  }
+  return best.Region;
+}
+
+void vtkMTSeedPartition::FindNeighbours(std::uint32_t region)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<Best, NeighbourCount> nearest; // in order of distance
+  nearest.fill({ infinity, NoRegion });
+  const auto look = [region, &nearest](const Leaf& leaf, const std::array<double, 3>& x, Best& best)
+  {
     for (std::size_t i = 0; i < LeafSize; ++i)
     {
-      others.X[i] = others.Region[i] == region ? std::numeric_limits<double>::infinity() : others.X[i];
+      const double dx = leaf.X[i] - x[0];
+      const double dy = leaf.Y[i] - x[1];
+      const double dz = leaf.Z[i] - x[2];
+      const Best other{ dx * dx + dy * dy + dz * dz, leaf.Region[i] };
+      if (other.Region != region && other.Distance < nearest.back().Distance)
+      {
+        const auto place = std::upper_bound(
+          nearest.begin(), nearest.end(), other, [](const Best& a, const Best& b) { return a.Distance < b.Distance; });
+        std::move_backward(place, nearest.end() - 1, nearest.end());
+        *place = other;
+      }
     }
-    SearchLeaf(others, x, best);
+    best.Distance = nearest.back().Distance;
   };
-  const Best other = this->Search(this->Seeds[region], { std::numeric_limits<double>::infinity(), 0 }, lookAtOthers);
-  // Half the way to the nearest other seed, less more than all roundings together; nothing where squares underflow.
-  return other.Distance > 1e-280 ? 0.25 * (1.0 - 1e-12) * other.Distance : 0.0;
+  this->Search(this->Seeds[region], { infinity, 0 }, look);
+  std::array<Neighbour, NeighbourCount + 1>& neighbours = this->Neighbours[region];
+  std::size_t found = 0;
+  for (; found < NeighbourCount && nearest[found].Region != NoRegion; ++found)
+  {
+    // Half the way to the other seed, less more than all roundings together; nothing where squares underflow.
+    const double distance = nearest[found].Distance;
+    neighbours[found] = { distance > 1e-280 ? 0.25 * (1.0 - 1e-12) * distance : 0.0, nearest[found].Region };
+  }
+  // Where all are in the list there is nothing beyond it.
+  neighbours[found] = { found + 1 == this->Seeds.size() ? infinity : 0.0, NoRegion };
 }
 
 template <typename Look>
 vtkMTSeedPartition::Best vtkMTSeedPartition::Search(const std::array<double, 3>& x, Best best, Look&& look) const
 {
-  // A subtree that may hold something nearer: its squared distance and, by axis, how far x is outside its cell.
+  // A subtree that may hold something nearer: its squared distance and, by
+  // axis, how far x is outside its cell.
   struct Pending
   {
     double Bound;

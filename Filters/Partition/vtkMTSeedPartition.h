@@ -3,14 +3,17 @@
  * @class vtkMTSeedPartition
  * @brief a V-partition: the Voronoi regions of a set of seeds
  *
- * BMT section 4.2: a point lies in the region of the nearest seed. "Nearest" is exact with respect to the squared
- * distance computed in double precision, (dx dx + dy dy) + dz dz; ties go to the smaller index. Seeds are found through
- * a balanced k-d tree with leaves of at most eight seeds. A branch is left out only when its bound, computed by the
- * same sum from the same rounded differences, is above the best distance; rounding is monotone, so nothing nearer, and
- * no tie, is ever lost.
+ * BMT section 4.2: a point lies in the region of the nearest seed. "Nearest" is
+ * exact with respect to the squared distance computed in double precision, (dx
+ * dx + dy dy) + dz dz; ties go to the smaller index. Seeds are found through a
+ * balanced k-d tree with leaves of at most eight seeds. A branch is left out
+ * only when its bound, computed by the same sum from the same rounded
+ * differences, is above the best distance; rounding is monotone, so nothing
+ * nearer, and no tie, is ever lost.
  *
- * Immutable; Locate takes no memory and may be called from any number of threads. A point that is not finite, or so far
- * away that all squared distances overflow, is in region 0.
+ * Immutable; Locate takes no memory and may be called from any number of
+ * threads. A point that is not finite, or so far away that all squared
+ * distances overflow, is in region 0.
  */
 #ifndef vtkMTSeedPartition_h
 #define vtkMTSeedPartition_h
@@ -26,7 +29,8 @@
 class VTKMTPARTITION_EXPORT vtkMTSeedPartition : public vtkMTPartition
 {
 public:
-  /// Region i is that of seeds[i]. There must be at least one seed, and seeds must be finite.
+  /// Region i is that of seeds[i]. There must be at least one seed, and seeds
+  /// must be finite.
   explicit vtkMTSeedPartition(std::vector<std::array<double, 3>> seeds);
   ~vtkMTSeedPartition() override;
 
@@ -66,16 +70,28 @@ private:
   std::uint32_t GetWidestAxis(const std::uint32_t* begin, const std::uint32_t* end) const;
   template <typename Look>
   Best Search(const std::array<double, 3>& x, Best best, Look&& look) const;
-  double GetClearance2(std::uint32_t region) const;
+  void FindNeighbours(std::uint32_t region);
+  double GetDistance2(const std::array<double, 3>& x, std::uint32_t region) const;
+  std::uint32_t Walk(const std::array<double, 3>& x, Best best) const;
   static void SearchLeaf(const Leaf& leaf, const std::array<double, 3>& x, Best& best);
 
   std::vector<std::array<double, 3>> Seeds;
-  // A complete binary tree without pointers: the children of branch b are 2 b + 1 and 2 b + 2, and the leaves follow
-  // the branches in the same numbering.
+  // A complete binary tree without pointers: the children of branch b are 2 b +
+  // 1 and 2 b + 2, and the leaves follow the branches in the same numbering.
   std::vector<Branch> Branches;
   std::vector<Leaf> Leaves;
-  /// By region: a point whose squared distance to the seed is less is nearer to it than to any other seed.
-  std::vector<double> Clearance2;
+  // Another seed: a point whose squared distance to the first one is less than
+  // Reach2 is nearer to that.
+  struct Neighbour
+  {
+    double Reach2;
+    std::uint32_t Region;
+  };
+  static constexpr std::size_t NeighbourCount = 12;
+  static constexpr std::uint32_t NoRegion = ~std::uint32_t(0);
+  // By region: the nearest other seeds in order of distance, and what says that
+  // there may be more.
+  std::vector<std::array<Neighbour, NeighbourCount + 1>> Neighbours;
 };
 
 #endif

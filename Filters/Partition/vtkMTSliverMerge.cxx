@@ -36,9 +36,13 @@ std::size_t vtkMTSliverMerge::MergeSlivers(const vtkMTPartition& partition,
   const std::vector<std::array<double, 3>>& barycentres, std::size_t minimum, std::vector<std::uint32_t>& regions)
 {
   Sizes sizes;
-  for (const std::uint32_t region : regions)
+  for (std::size_t begin = 0, end = 0; begin < regions.size(); begin = end)
   {
-    ++sizes[region];
+    while (end < regions.size() && regions[end] == regions[begin])
+    {
+      ++end;
+    }
+    sizes[regions[begin]] += end - begin;
   }
   const std::vector<std::uint32_t> remaining = GetRemaining(sizes, minimum);
   if (remaining.size() == sizes.size())

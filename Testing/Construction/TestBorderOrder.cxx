@@ -101,7 +101,7 @@ TEST(BorderOrder, HasEveryPointOfARaggedBorderOnce)
         expected.insert({ edge.first, edge.second });
       }
     }
-    const std::vector<std::uint32_t> order = vtkMTBorderOrder::Find(mesh, part);
+    const std::vector<std::uint32_t> order = vtkMTBorderOrder(mesh).Find(part);
     EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()), expected);
     EXPECT_EQ(order.size(), expected.size());
   }

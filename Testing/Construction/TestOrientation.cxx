@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTHalfedgePairs.h"
 #include "vtkMTMemorySpoolStore.h"
 #include "vtkMTOrientation.h"
 #include "vtkMTPatchSplitter.h"
@@ -87,7 +88,8 @@ Result Orient(const vtkMTPatch& mesh, const std::vector<std::uint32_t>& regions,
   std::vector<std::vector<std::uint32_t>> components(count);
   for (std::uint32_t f = 0; f < count; ++f)
   {
-    fragments[f].Run(vtkMTPatchSplitter::Extract(mesh, triangles[f], isShared, ids, {}, {}, scratch), triangles[f]);
+    const vtkMTPatch part = vtkMTPatchSplitter::Extract(mesh, triangles[f], isShared, ids, {}, {}, scratch);
+    fragments[f].Run(part, triangles[f], vtkMTHalfedgePairs(part));
     EXPECT_TRUE(orientation.Add(fragments[f], components[f]));
   }
   EXPECT_TRUE(orientation.Solve()) << orientation.GetError();

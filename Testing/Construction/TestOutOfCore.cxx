@@ -33,10 +33,11 @@ struct Model
 {
   vtkMTPatchStore Patches;
   vtkMTMemorySpoolStore Spools;
+  MTFaultyStore Elsewhere{ Spools }; // does not say that it is in memory; nothing fails
   std::string Error;
   bool Built = false;
 
-  Model(vtkPolyData* mesh, std::size_t sortMemory, int threads)
+  Model(vtkPolyData* mesh, std::size_t sortMemory, int threads, bool isInMemory)
   {
     const vtkNew<vtkMTVoronoiPartition> partition;
     const vtkNew<vtkMTEdgeCollapse> simplifier;
@@ -46,7 +47,7 @@ struct Model
     settings.Simplifier = simplifier;
     settings.Threads = threads;
     settings.SortMemory = sortMemory;
-    settings.Store = &this->Spools;
+    settings.Store = isInMemory ? static_cast<vtkMTSpoolStore*>(&this->Spools) : &this->Elsewhere;
     vtkMTPolyDataStream stream(mesh);
     vtkMTSequenceState state;
     vtkMTInputMesh input(settings);
@@ -55,6 +56,39 @@ struct Model
     this->Error = input.GetError() + loop.GetError();
   }
 };
+
+// A triangle far away in front of all others, and one behind.
+vtkSmartPointer<vtkPolyData> WithOutliers(vtkPolyData* mesh)
+{
+  const vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkNew<vtkCellArray> cells;
+  const auto addFar = [&](double place)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    points->InsertNextPoint(place, 0.0, 0.0);
+    points->InsertNextPoint(place + 1.0, 0.0, 0.0);
+    points->InsertNextPoint(place, 1.0, 0.0);
+    const vtkIdType ids[3] = { first, first + 1, first + 2 };
+    cells->InsertNextCell(3, ids);
+  };
+  addFar(1e12);
+  const vtkIdType offset = points->GetNumberOfPoints();
+  points->InsertPoints(offset, mesh->GetNumberOfPoints(), 0, mesh->GetPoints());
+  for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+  {
+    vtkIdType count;
+    const vtkIdType* ids;
+    mesh->GetCellPoints(c, count, ids);
+    const vtkIdType moved[3] = { ids[0] + offset, ids[1] + offset, ids[2] + offset };
+    cells->InsertNextCell(3, moved);
+  }
+  addFar(-1e12);
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(cells);
+  return result;
+}
 
 void ExpectSame(const vtkMTPatchStore& a, const vtkMTPatchStore& b, const char* name)
 {
@@ -85,17 +119,25 @@ TEST(OutOfCore, ModelDoesNotDependOnMemoryOrThreads)
   using namespace MTTestMeshes;
   const std::pair<const char*, vtkSmartPointer<vtkPolyData>> meshes[] = { { "fractal sphere", FractalSphere(6) },
     { "sphere as soup", SphereSoup(6) }, { "random soup", RandomSoup(20000) }, { "seam", SeamSphere(200, 150) },
-    { "dirty", Dirty(100, 20) } };
+    { "dirty", Dirty(100, 20) }, { "outliers", WithOutliers(FractalSphere(5)) } };
   for (const auto& [name, mesh] : meshes)
   {
     AddArrays(mesh);
-    const Model much(mesh, std::size_t(1) << 30, 1);
-    const Model little(mesh, 0, 3); // each sort gets its minimum
-    ASSERT_TRUE(much.Built && little.Built) << name << ": " << much.Error << little.Error;
+    const Model much(mesh, std::size_t(1) << 30, 1, false);
+    const Model little(mesh, 0, 3, false); // each sort gets its minimum
+    const Model inMemory(mesh, std::size_t(1) << 30, 2, true);
+    ASSERT_TRUE(much.Built && little.Built && inMemory.Built) << name << ": " << much.Error << little.Error;
     ExpectSame(much.Patches, little.Patches, name);
-    std::printf("%-16s %9llu bytes spooled with much memory, %9llu with little\n", name,
+    ExpectSame(much.Patches, inMemory.Patches, name);
+    for (const auto& [reason, count] : inMemory.Patches.GetGraph().InputReport)
+    {
+      std::printf("  %s %lld\n", reason.c_str(), static_cast<long long>(count));
+    }
+    std::printf("%-16s %9llu bytes spooled with much memory, %9llu with little, %9llu in memory\n", name,
       static_cast<unsigned long long>(much.Spools.GetLargestSize()),
-      static_cast<unsigned long long>(little.Spools.GetLargestSize()));
+      static_cast<unsigned long long>(little.Spools.GetLargestSize()),
+      static_cast<unsigned long long>(inMemory.Spools.GetLargestSize()));
+    EXPECT_LT(inMemory.Spools.GetLargestSize(), much.Spools.GetLargestSize()) << name;
     EXPECT_GT(little.Spools.GetLargestSize(), much.Spools.GetLargestSize()) << name << ": nothing was spilled";
   }
 }

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <random>
+#include <utility>
 
 namespace
 {
@@ -29,6 +32,83 @@ std::uint32_t FindSlowly(const std::vector<std::uint32_t>& corners, std::uint32_
   }
   return others == 1 ? found : vtkMTHalfedgePairs::None;
 }
+
+// Of every edge, the half-edges that run along it either way.
+using Uses = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>>;
+Uses FindUses(const std::vector<vtkMTTriangle>& triangles)
+{
+  Uses uses;
+  for (std::uint32_t h = 0; h < 3 * triangles.size(); ++h)
+  {
+    const vtkMTTriangle& t = triangles[h / 3];
+    uses[std::minmax({ t[h % 3], t[(h + 1) % 3] })].push_back(h);
+  }
+  return uses;
+}
+
+std::size_t CountWrong(const std::vector<vtkMTTriangle>& triangles, std::size_t points)
+{
+  const vtkMTHalfedgePairs pairs(triangles, points);
+  std::size_t wrong = 0;
+  for (const auto& [edge, uses] : FindUses(triangles))
+  {
+    std::size_t odd = 0;
+    for (const std::uint32_t h : uses)
+    {
+      const std::uint32_t partner = pairs.Partners[h];
+      odd += partner == vtkMTHalfedgePairs::Odd ? 1 : 0;
+      const bool isRight = uses.size() == 1 ? partner == vtkMTHalfedgePairs::None
+        : uses.size() == 2                  ? partner == uses[0] + uses[1] - h
+                           : partner == vtkMTHalfedgePairs::Odd || partner == vtkMTHalfedgePairs::Other;
+      wrong += isRight && pairs.HasPartner(h) == (uses.size() == 2) ? 0 : 1;
+    }
+    wrong += odd == (uses.size() > 2 ? uses.size() % 2 : 0) ? 0 : 1;
+  }
+  return wrong;
+}
+}
+
+TEST(HalfedgePairs, PartnersAreTheOnlyTwoAtAnEdgeWhicheverWayTheyRun)
+{
+  std::mt19937 random(3);
+  std::map<std::size_t, std::size_t> edges; // by their uses
+  for (int round = 0; round < 300; ++round)
+  {
+    std::vector<vtkMTTriangle> triangles;
+    for (int t = 0; t < 14; ++t)
+    {
+      const std::uint32_t a = random() % 6;
+      const std::uint32_t b = (a + 1 + random() % 5) % 6;
+      triangles.push_back({ a, b, 6 + std::uint32_t(random() % 3) });
+    }
+    ASSERT_EQ(CountWrong(triangles, 9), 0u) << "round " << round;
+    for (const auto& edge : FindUses(triangles))
+    {
+      ++edges[edge.second.size()];
+    }
+  }
+  for (const auto& [uses, count] : edges)
+  {
+    std::printf("%zu edges of %zu triangles\n", count, uses);
+  }
+  EXPECT_GT(edges[1] * edges[2] * edges[3] * edges[4] * edges[5], 0u);
+}
+
+// Half-edges of a hub are not looked at one by one: with 100,000 of them that would take minutes.
+TEST(HalfedgePairs, OfAFanHoweverLargeAreFoundAsOfAnyMesh)
+{
+  for (const std::uint32_t n : { 10u, 1000u, 100000u })
+  {
+    std::vector<vtkMTTriangle> triangles;
+    for (std::uint32_t i = 1; i <= n; ++i)
+    {
+      triangles.push_back({ 0, i, i % n + 1 });
+    }
+    triangles.push_back({ 0, 1, n + 1 }); // a third one
+    EXPECT_EQ(CountWrong(triangles, n + 2), 0u) << n;
+    std::shuffle(triangles.begin(), triangles.end(), std::mt19937(4));
+    EXPECT_EQ(CountWrong(triangles, n + 2), 0u) << n << ", shuffled";
+  }
 }
 
 TEST(HalfedgePairs, AreThoseOfTheDefinition)

@@ -85,6 +85,36 @@ TEST(RecordSort, OrderDoesNotDependOnMemory)
   EXPECT_GT(store.GetLargestSize(), 300000u * sizeof(Record) / 2); // it did not all fit
 }
 
+// Few bits that differ, bits far apart, none, and keys that are in order already.
+TEST(RecordSort, KeysOfAnyShapeAreSorted)
+{
+  const std::vector<std::uint64_t> masks = { 0, 1, 0x700, 0xfff, 0x8000000000000001, 0xff000000000000ff, 0x3ff00000fff,
+    0xaaaaaaaaaaaaaaaa, ~std::uint64_t(0) };
+  for (const std::uint64_t mask : masks)
+  {
+    for (const std::size_t count : { 0, 1, 2, 500, 1023, 1024, 20000 })
+    {
+      std::vector<Record> records = MakeRecords(count, ~std::uint64_t(0));
+      for (Record& record : records)
+      {
+        record.Key = (record.Key & mask) | (~mask & 0x123456789abcdef0);
+      }
+      for (const bool isSorted : { false, true })
+      {
+        if (isSorted)
+        {
+          std::sort(records.begin(), records.end(), [](const Record& a, const Record& b) { return a.Key < b.Key; });
+        }
+        vtkMTMemorySpoolStore store;
+        std::string error;
+        std::vector<Record> sorted;
+        ASSERT_TRUE(Sort(store, records, std::size_t(1) << 24, sorted, error)) << error;
+        ExpectStablySorted(records, sorted);
+      }
+    }
+  }
+}
+
 TEST(RecordSort, ManyMoreRunsThanBuffersAreMergedInSeveralPasses)
 {
   // Runs of at most 10922 records, 8 buffers: 1.2 million records need three passes.

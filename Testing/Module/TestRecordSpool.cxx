@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
+#include <numeric>
 #include <random>
 
 namespace
@@ -78,6 +80,49 @@ TEST(RecordSpool, GivesBackWhatWasPutUnderAKeyInOrder)
   EXPECT_EQ(store.GetSize(), 0u);
 }
 
+TEST(RecordSpool, GivesUpTheMemoryOfWhatIsForgottenAndNothingElse)
+{
+  constexpr std::size_t Keys = 400;
+  vtkMTMemorySpoolStore store;
+  vtkMTRecordSpool spool;
+  std::string error;
+  ASSERT_TRUE(spool.Begin(store, "a", Keys, error));
+  std::mt19937 random(5);
+  std::vector<Bytes> expected(Keys);
+  for (std::size_t key = 0; key < Keys; ++key)
+  {
+    expected[key].resize(key % 7 == 3 ? random() % 100 : 20000 + random() % 20000);
+    for (unsigned char& byte : expected[key])
+    {
+      byte = static_cast<unsigned char>(random());
+    }
+    ASSERT_TRUE(spool.Put(key, expected[key].data(), expected[key].size(), error));
+  }
+  ASSERT_TRUE(spool.Seal(error));
+  const std::uint64_t all = store.GetSize();
+  std::vector<std::size_t> order(Keys);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), random);
+  for (std::size_t forgotten = 0; forgotten < Keys; ++forgotten)
+  {
+    if (forgotten % 50 == 0)
+    {
+      std::cout << forgotten << " of " << Keys << " forgotten: " << 100 * store.GetSize() / all << " % of the bytes\n";
+      for (std::size_t i = forgotten; i < Keys; ++i)
+      {
+        std::vector<vtkMTBytes::Record> records;
+        ASSERT_TRUE(spool.Take(order[i], records, error));
+        ASSERT_EQ(GetBytes(records[0]), expected[order[i]]);
+      }
+    }
+    spool.Forget(order[forgotten]);
+  }
+  EXPECT_EQ(store.GetSize(), 0u);
+  EXPECT_EQ(store.GetLargestSize(), all);
+  spool.Remove();
+  EXPECT_EQ(store.GetSize(), 0u);
+}
+
 TEST(Bytes, DamagedBytesReadAsNothingAndAreNoticed)
 {
   Bytes bytes;
@@ -100,6 +145,17 @@ TEST(Bytes, DamagedBytesReadAsNothingAndAreNoticed)
   EXPECT_TRUE(read(bytes));
   EXPECT_EQ(counts["b"], 2);
   EXPECT_EQ(list[1], 2.0);
+  Bytes shifted(1, 0); // to where no double begins
+  shifted.insert(shifted.end(), bytes.begin(), bytes.end());
+  for (std::size_t shift = 1; shift <= 8; ++shift)
+  {
+    vtkMTBytes::Reader reader(shifted.data() + shift, bytes.size());
+    reader.Take<int>();
+    list.clear();
+    reader.TakeList(list);
+    EXPECT_EQ(list, (std::vector<double>{ 1.0, 2.0 })) << shift;
+    shifted.insert(shifted.begin(), 0);
+  }
   for (std::size_t size = 4; size < bytes.size(); ++size)
   {
     EXPECT_FALSE(read(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size))));

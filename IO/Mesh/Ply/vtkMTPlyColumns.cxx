@@ -18,6 +18,16 @@ void StoreAs(unsigned char* to, double value)
   const Number number = static_cast<Number>(value);
   std::memcpy(to, &number, sizeof(number));
 }
+
+template <std::size_t Size>
+void CopyValues(
+  const unsigned char* from, std::size_t fromStride, std::uint64_t count, unsigned char* to, std::size_t toStride)
+{
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    std::memcpy(to + i * toStride, from + i * fromStride, Size);
+  }
+}
 }
 
 vtkMTPlyColumns::vtkMTPlyColumns(const vtkMTPlyElement& element, std::uint64_t count)
@@ -122,6 +132,49 @@ void vtkMTPlyColumns::Store(std::size_t property, std::uint64_t row, double valu
       return StoreAs<float>(to, value);
     default:
       return StoreAs<double>(to, value);
+  }
+}
+
+bool vtkMTPlyColumns::AreAsInFile() const
+{
+  for (std::size_t i = 0; i < this->Targets.size(); ++i)
+  {
+    const vtkMTPlyProperty& property = this->Element.Properties[i];
+    if (property.IsList() || !this->Targets[i].Values || this->Targets[i].Type != property.Type)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void vtkMTPlyColumns::Copy(const unsigned char* rows, std::uint64_t first, std::uint64_t count)
+{
+  std::size_t rowSize = 0;
+  for (const Target& target : this->Targets)
+  {
+    rowSize += vtkMTPlyHeader::GetSize(target.Type);
+  }
+  const unsigned char* from = rows;
+  for (const Target& target : this->Targets)
+  {
+    unsigned char* to = target.Values + first * target.Stride;
+    const std::size_t size = vtkMTPlyHeader::GetSize(target.Type);
+    switch (size)
+    {
+      case 1:
+        CopyValues<1>(from, rowSize, count, to, target.Stride);
+        break;
+      case 2:
+        CopyValues<2>(from, rowSize, count, to, target.Stride);
+        break;
+      case 4:
+        CopyValues<4>(from, rowSize, count, to, target.Stride);
+        break;
+      default:
+        CopyValues<8>(from, rowSize, count, to, target.Stride);
+    }
+    from += size;
   }
 }
 

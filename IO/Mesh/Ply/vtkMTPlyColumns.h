@@ -36,6 +36,10 @@ public:
 
   /// For a property that is no list, when AddOthers has been called.
   void Store(std::size_t property, std::uint64_t row, double value);
+  /// Whether every property is stored in the type that it has in the file, and none is a list.
+  bool AreAsInFile() const;
+  /// Of so many rows that lie one behind the other, in the machine's order, where that is so.
+  void Copy(const unsigned char* rows, std::uint64_t first, std::uint64_t count);
   /// Makes a row's values NaN or, of integers, 0.
   void Blank(std::uint64_t row);
 

@@ -254,6 +254,21 @@ bool vtkMTPlyRows::SkipRows(std::uint64_t count)
   return good;
 }
 
+std::uint64_t vtkMTPlyRows::GetBuffered(std::uint64_t most, const unsigned char*& rows) const
+{
+  const std::uint16_t one = 1;
+  unsigned char first;
+  std::memcpy(&first, &one, 1);
+  const std::uint64_t size = this->Header.GetSmallestRow(*this->Element);
+  if (this->Header.Format != (first == 1 ? vtkMTPlyHeader::LittleEndian : vtkMTPlyHeader::BigEndian) || size == 0)
+  {
+    return 0;
+  }
+  const auto [bytes, left] = this->Stream.GetBuffered();
+  rows = bytes;
+  return std::min<std::uint64_t>(most, left / size);
+}
+
 namespace
 {
 std::uint64_t Load32(const unsigned char* bytes)

@@ -40,6 +40,9 @@ public:
 
   /// Steps over rows of an element without lists; their values are not looked at.
   bool SkipRows(std::uint64_t count);
+  /// Rows without lists, as far as they are in memory as the machine has numbers: how many, at most so many; they are
+  /// still to be skipped.
+  std::uint64_t GetBuffered(std::uint64_t most, const unsigned char*& rows) const;
   /**
    * What most files consist of, taken at once as far as it is in memory: rows of one list of three corners, with their
    * number in one byte and four bytes for each, little-endian. Gives how many were taken; any other row is left.

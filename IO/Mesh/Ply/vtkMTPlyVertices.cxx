@@ -37,8 +37,21 @@ vtkMTPlyVertices::vtkMTPlyVertices(
 
 bool vtkMTPlyVertices::Read(vtkMTPlyRows& rows)
 {
+  const bool areAsInFile = this->Columns.AreAsInFile();
   for (std::uint64_t row = 0; row < this->Count; ++row)
   {
+    const unsigned char* buffered = nullptr;
+    const std::uint64_t rowsAtOnce = areAsInFile ? rows.GetBuffered(this->Count - row, buffered) : 0;
+    if (rowsAtOnce > 0)
+    {
+      this->Columns.Copy(buffered, row, rowsAtOnce);
+      row += rowsAtOnce - 1;
+      if (!rows.SkipRows(rowsAtOnce))
+      {
+        return false;
+      }
+      continue;
+    }
     bool isGood = true;
     if (!rows.BeginRow() || !rows.EndRow(this->ReadRow(rows, row), isGood))
     {
