@@ -2,6 +2,7 @@
 #include "vtkMTHalfedgePairs.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace
 {
@@ -80,17 +81,13 @@ void PairMany(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* en
     begin += last - begin;
   }
 }
-}
 
-//------------------------------------------------------------------------------
-std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
+// From buckets by the lower of the two points: in linear time but for hubs, whose buckets are sorted.
+void FindByBuckets(
+  const std::vector<std::uint32_t>& corners, std::size_t points, std::vector<std::uint32_t>& opposites)
 {
-  std::vector<std::uint32_t> opposites(corners.size(), None);
-  if (corners.empty())
-  {
-    return opposites;
-  }
-  std::vector<std::uint32_t> next(*std::max_element(corners.begin(), corners.end()) + std::size_t(2), 0);
+  opposites.assign(corners.size(), vtkMTHalfedgePairs::None);
+  std::vector<std::uint32_t> next(points + 1, 0);
   ForAll(corners, [&](std::uint32_t, std::uint32_t low, std::uint32_t) { ++next[low + 1]; });
   for (std::size_t p = 1; p < next.size(); ++p)
   {
@@ -106,6 +103,104 @@ std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint3
     last - first > Few ? PairMany(corners, first, last, opposites.data())
                        : PairFew(corners, first, last, opposites.data());
     begin = next[p];
+  }
+}
+
+// An edge in the list of those of its lower point.
+struct Edge
+{
+  std::uint32_t High;
+  std::uint32_t Following;
+  std::uint32_t First; // its half-edges; Second is Many where there are more than two
+  std::uint32_t Second;
+  std::uint32_t From;  // where the first one starts
+  std::uint32_t Third; // the other point of the first one's triangle
+};
+constexpr std::uint32_t Many = vtkMTHalfedgePairs::None - 1;
+
+// Edges of a list to look at per half-edge, all together.
+constexpr std::size_t MostLooks = 16;
+
+// Lists by the lower of the two points, which are short but at hubs.
+class Lists
+{
+public:
+  Lists(std::size_t corners, std::size_t points, std::uint32_t* opposites)
+    : First(points, None)
+    , Edges(new Edge[corners])
+    , Looks(MostLooks * corners)
+    , Opposites(opposites)
+  {
+  }
+
+  void Put(std::uint32_t h, std::uint32_t from, std::uint32_t to, std::uint32_t third)
+  {
+    const std::uint32_t high = std::max(from, to);
+    std::uint32_t& first = this->First[std::min(from, to)];
+    std::uint32_t e = first;
+    while (e != None && this->Edges[e].High != high && this->Looks > 0)
+    {
+      e = this->Edges[e].Following;
+      --this->Looks;
+    }
+    if (e == None)
+    {
+      this->Edges[this->Count] = { high, first, h, None, from, third };
+      first = this->Count++;
+      return;
+    }
+    Edge& edge = this->Edges[e];
+    if (edge.Second == None)
+    {
+      edge.Second = h;
+      if (edge.From != from && edge.Third != third)
+      {
+        this->Opposites[edge.First] = h;
+        this->Opposites[h] = edge.First;
+      }
+    }
+    else if (edge.Second != Many)
+    {
+      this->Opposites[edge.First] = this->Opposites[edge.Second] = None;
+      edge.Second = Many;
+    }
+  }
+  bool AreTooLong() const { return this->Looks == 0; }
+
+private:
+  static constexpr std::uint32_t None = vtkMTHalfedgePairs::None;
+  std::vector<std::uint32_t> First; // [points]
+  std::unique_ptr<Edge[]> Edges;
+  std::uint32_t Count = 0;
+  std::size_t Looks;
+  std::uint32_t* Opposites;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners)
+{
+  const std::size_t points = corners.empty() ? 0 : *std::max_element(corners.begin(), corners.end()) + std::size_t(1);
+  return Find(corners, points);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners, std::size_t points)
+{
+  std::vector<std::uint32_t> opposites(corners.size(), None);
+  Lists lists(corners.size(), points, opposites.data());
+  for (std::uint32_t h = 0; h + 2 < corners.size(); h += 3)
+  {
+    const std::uint32_t a = corners[h];
+    const std::uint32_t b = corners[h + 1];
+    const std::uint32_t c = corners[h + 2];
+    lists.Put(h, a, b, c);
+    lists.Put(h + 1, b, c, a);
+    lists.Put(h + 2, c, a, b);
+  }
+  if (lists.AreTooLong())
+  {
+    FindByBuckets(corners, points, opposites);
   }
   return opposites;
 }

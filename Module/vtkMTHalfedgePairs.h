@@ -5,14 +5,15 @@
  *
  * Half-edge h = 3 t + e runs from corner e of triangle t to the next one. Two half-edges are opposite when they are the
  * only two between their points, run in opposite directions, and are not of two triangles with the same three points.
- * Every other half-edge has None, as at a border. Found from buckets by the lower of the
- * two points, in linear time but for hubs, whose buckets are sorted.
+ * Every other half-edge has None, as at a border. Found from lists by the lower of the
+ * two points, in linear time but for hubs, for which edges are sorted.
  */
 #ifndef vtkMTHalfedgePairs_h
 #define vtkMTHalfedgePairs_h
 
 #include "vtkMTCoreModule.h" // For export macro
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct VTKMTCORE_EXPORT vtkMTHalfedgePairs
 
   /// corners: the point of each corner, three for each triangle. Gives the opposite of each half-edge.
   static std::vector<std::uint32_t> Find(const std::vector<std::uint32_t>& corners);
+  /// The same of points below a number.
+  static std::vector<std::uint32_t> Find(const std::vector<std::uint32_t>& corners, std::size_t points);
 };
 
 #endif

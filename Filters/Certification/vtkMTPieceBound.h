@@ -20,6 +20,7 @@
 #ifndef vtkMTPieceBound_h
 #define vtkMTPieceBound_h
 
+#include "vtkMTCellsOver.h"
 #include "vtkMTPiece.h"
 #include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
@@ -46,7 +47,10 @@ public:
   /// A trial is made where a better mesh to be held against follows: what is known by a place does not raise the lower
   /// bound, and a triangle of which a place is above what is near enough is given up; its bound is infinite then.
   bool IsTrial = false;
-  /// Whether a ball holds nothing of what is to be bounded: pieces within it are left out. Null: everything is.
+  /// Whether GetBoundOfTriangle is all that is asked for afterwards.
+  bool IsOneSided = false;
+  /// Whether a ball holds nothing of what is to be bounded: pieces within it that are not near enough are left out.
+  /// Null: everything counts.
   std::function<bool(const Vector& middle, double radius)> IsElsewhere;
   /// Finds the triangle nearest to a place, at most so far away as a guess is, in place of a tree over all. Null: the
   /// tree does.
@@ -76,14 +80,11 @@ public:
   };
   /// Of all pieces; what follows upon itself is there once.
   const std::vector<Credited>& GetCredited() const { return this->PiecesCredited; }
-  /// Forgets what was found of a triangle since there were so many of them.
-  void Forget(std::uint32_t triangle, std::size_t credited)
-  {
-    this->PiecesCredited.resize(credited);
-    this->BoundOfTriangle[triangle] = 0.0;
-  }
   /// Bounds and credits a triangle by pieces; guesses are triangles (or None) to begin with.
   void Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget);
+  /// The same by a triangle nearby, from which the way is not far to the one that lies over the middle; first, where it
+  /// is not None, by one that may be nearer still. Gives the one that lies over the middle, or None.
+  std::uint32_t BoundNear(std::uint32_t triangle, std::uint32_t guess, std::uint32_t nearer, std::size_t& budget);
 
   ///@{
   /// The largest bound that was credited to each triangle.
@@ -114,11 +115,14 @@ private:
   bool Accept(const Entry& entry, double trueHere);
   bool IsLeftOut(const Piece& piece) const;
   bool TouchesHub(std::uint32_t s) const;
+  Entry MakeWhole(std::uint32_t triangle) const;
+  double VisitPlace(const Vector& x, std::uint32_t triangle, std::uint32_t& guess);
   double VisitMiddle(Entry& entry);
   bool GivesUp(const Entry& entry, double trueHere);
   void CreditPiece(const Entry& entry);
   void CreditBy(const Entry& whole, const Piece& part, std::uint32_t s);
   void BoundPieces(const Entry& whole, std::size_t& budget);
+  bool BoundCells(const Entry& whole, std::size_t& budget);
   void BoundPiece(Entry& entry);
   bool CutAlong(const Entry& entry);
   void Push(const Piece& shape, const Match& best, std::uint32_t guess);
@@ -128,6 +132,7 @@ private:
   const vtkMTSurface& From;
   const vtkMTSurface& To;
   vtkMTTriangleTree Tree; // of To
+  vtkMTCellsOver Over;
   const double Slack;
   vtkMTDeviation& Result;
   std::vector<double> BoundOfTriangle;
