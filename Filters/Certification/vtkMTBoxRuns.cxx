@@ -29,6 +29,30 @@ vtkMTBoxRuns::vtkMTBoxRuns(std::vector<Box> boxes)
 }
 
 //------------------------------------------------------------------------------
+std::uint32_t vtkMTBoxRuns::FindNear(const Vector& x) const
+{
+  std::size_t nearest = 0;
+  for (std::size_t level = this->Levels.size(); level > 0; --level)
+  {
+    const std::vector<Box>& boxes = this->Levels[level - 1];
+    const std::size_t begin = level == this->Levels.size() ? 0 : Length * nearest;
+    const std::size_t end = level == this->Levels.size() ? boxes.size() : std::min(begin + Length, boxes.size());
+    double least = GetDistance2(boxes[begin], x);
+    nearest = begin;
+    for (std::size_t i = begin + 1; i < end; ++i)
+    {
+      const double distance2 = GetDistance2(boxes[i], x);
+      if (distance2 < least)
+      {
+        least = distance2;
+        nearest = i;
+      }
+    }
+  }
+  return static_cast<std::uint32_t>(nearest);
+}
+
+//------------------------------------------------------------------------------
 vtkMTBoxRuns::Box vtkMTBoxRuns::GetBox(const vtkMTSurface& surface, std::uint32_t triangle, double wider)
 {
   const Vector& a = surface.GetCorner(triangle, 0);

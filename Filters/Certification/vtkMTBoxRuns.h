@@ -48,6 +48,10 @@ public:
     return this->HasTouched(top, 0, this->Levels[top].size(), touches, accept);
   }
 
+  /// One of the boxes near a place, about the nearest: by the nearest of the boxes around several, and so on down.
+  /// There must be boxes.
+  std::uint32_t FindNear(const Vector& x) const;
+
   /// Around a triangle, and so much wider.
   static Box GetBox(const vtkMTSurface& surface, std::uint32_t triangle, double wider);
   static bool Touch(const Box& a, const Box& b)

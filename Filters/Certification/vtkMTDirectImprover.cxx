@@ -265,19 +265,25 @@ vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTS
     this->FindCandidates(this->Searched, this->Known[this->Searched].ToInput);
     this->HasCandidates = true;
   }
-  vtkMTSurface::Hit nearest = guess;
-  Ball here{ x, std::sqrt(nearest.Distance2) };
+  std::uint32_t nearest = guess.Triangle;
+  double nearest2 = guess.Distance2;
+  Ball here{ x, std::sqrt(nearest2) };
   this->Effort += this->Candidates.size();
   for (const auto& [ball, s] : this->Candidates)
   {
-    if (vtkMTBoxRuns::Touch(here, ball) &&
-      this->Finer.Surface.GetDistance2(x, s, nearest.Distance2) < nearest.Distance2)
+    if (!vtkMTBoxRuns::Touch(here, ball))
     {
-      nearest = this->Finer.Surface.Project(x, s);
-      here.Radius = std::sqrt(nearest.Distance2);
+      continue;
+    }
+    const double distance2 = this->Finer.Surface.GetDistance2(x, s, nearest2);
+    if (distance2 < nearest2)
+    {
+      nearest = s;
+      nearest2 = distance2;
+      here.Radius = std::sqrt(distance2);
     }
   }
-  return nearest;
+  return nearest == guess.Triangle ? guess : this->Finer.Surface.Project(x, nearest);
 }
 
 //------------------------------------------------------------------------------
@@ -316,14 +322,16 @@ bool vtkMTDirectImprover::IsNearFloor(const Ball& ball)
   {
     this->Floor.Boxes.emplace(GetBoxes(this->Floor.Triangles, 0.0));
   }
-  const auto& [surface, known] = this->Floor.Triangles;
-  return this->Floor.Boxes->HasTouched(
-    [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); },
-    [&, &surface = surface, &known = known](std::uint32_t f)
-    {
-      ++this->Effort;
-      return IsWithin(surface, f, ball.Middle, ball.Radius + known[f].FromInput);
-    });
+  const auto isNear = [&](std::uint32_t f)
+  {
+    ++this->Effort;
+    this->LastNearFloor = f;
+    const double reach = ball.Radius + this->Floor.Triangles.Known[f].FromInput;
+    return IsWithin(this->Floor.Triangles.Surface, f, ball.Middle, reach);
+  };
+  const auto touches = [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); };
+  return (touches(this->Floor.Boxes->GetBox(this->LastNearFloor)) && isNear(this->LastNearFloor)) ||
+    this->Floor.Boxes->HasTouched(touches, isNear);
 }
 
 //------------------------------------------------------------------------------

@@ -87,9 +87,10 @@ private:
   vtkMTPieceBound Down;
   const vtkMTBoxRuns FinerBoxes; // around each triangle and what stands on it
   std::vector<Candidate> Candidates;
-  std::uint32_t Searched = None;  // the triangle that is held against the finer mesh
-  bool HasCandidates = false;     // of that
-  std::uint32_t LastOver = None;  // what lies over the candidate that was bounded last
+  std::uint32_t Searched = None;   // the triangle that is held against the finer mesh
+  bool HasCandidates = false;      // of that
+  std::uint32_t LastOver = None;   // what lies over the candidate that was bounded last
+  std::uint32_t LastNearFloor = 0; // the floor's triangle that was looked at last
   double Reach = 0.0; // of what stands on the finer triangle that is bounded
   std::size_t Budget;
   const std::size_t MostEffort;

@@ -75,16 +75,21 @@ void vtkMTSurface::FindHalfedges(std::size_t points)
 {
   this->Halfedges.assign(points, None);
   std::vector<std::uint32_t> triangles(points, 0);
-  std::uint32_t most = 0;
-  for (std::uint32_t h = 0; h < this->Points.size(); ++h)
+  const auto count = static_cast<std::uint32_t>(this->Points.size());
+  for (std::uint32_t h = count; h > 0; --h)
   {
-    const std::uint32_t p = this->Points[h];
-    most = std::max(most, ++triangles[p]);
-    if (this->Halfedges[p] == None || this->Opposites[h] == None)
+    const std::uint32_t p = this->Points[h - 1];
+    ++triangles[p];
+    this->Halfedges[p] = h - 1;
+  }
+  for (std::uint32_t h = 0; h < count; ++h)
+  {
+    if (this->Opposites[h] == None)
     {
-      this->Halfedges[p] = h;
+      this->Halfedges[this->Points[h]] = h;
     }
   }
+  const std::uint32_t most = points > 0 ? *std::max_element(triangles.begin(), triangles.end()) : 0;
   for (std::size_t p = 0; p < points && most > HubTriangles; ++p)
   {
     this->Hubs.push_back(triangles[p] > HubTriangles);

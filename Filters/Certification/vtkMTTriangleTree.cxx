@@ -61,8 +61,13 @@ void vtkMTTriangleTree::MakeRuns()
 
 void vtkMTTriangleTree::LookAtRuns(Query& query) const
 {
-  this->Runs->HasTouched(
-    [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::GetDistance2(box, query.Place) < query.Best2; },
+  if (this->Surface.GetNumberOfTriangles() > 0)
+  {
+    this->Look(query, this->Runs->FindNear(query.Place));
+  }
+  constexpr double less = 1.0 - 1e-12; // for rounding
+  this->Runs->HasTouched([&](const vtkMTBoxRuns::Box& box)
+    { return less * vtkMTBoxRuns::GetDistance2(box, query.Place) < query.Best2; },
     [&](std::uint32_t t)
     {
       this->Look(query, t);
