@@ -83,8 +83,7 @@ void PairMany(const std::vector<std::uint32_t>& corners, Entry* begin, Entry* en
 }
 
 // From buckets by the lower of the two points: in linear time but for hubs, whose buckets are sorted.
-void FindByBuckets(
-  const std::vector<std::uint32_t>& corners, std::size_t points, std::vector<std::uint32_t>& opposites)
+void FindByBuckets(const std::vector<std::uint32_t>& corners, std::size_t points, std::vector<std::uint32_t>& opposites)
 {
   opposites.assign(corners.size(), vtkMTHalfedgePairs::None);
   std::vector<std::uint32_t> next(points + 1, 0);

@@ -3,8 +3,8 @@
  * @class vtkMTBoxRuns
  * @brief which of many boxes touch something, where neighbours in order are mostly near in space as well
  *
- * So triangles of a patch are. A box around each eight in a row, one around each eight of these, and so on, cost next to
- * nothing to make, and a question looks at what is within those that are touched.
+ * So triangles of a patch are. A box around each eight in a row, one around each eight of these, and so on, cost next
+ * to nothing to make, and a question looks at what is within those that are touched.
  *
  * Threads: const and safe.
  */

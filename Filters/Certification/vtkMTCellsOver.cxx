@@ -17,9 +17,9 @@ using Place = vtkMTCellsOver::Place;
 constexpr double LeastHeight = 1.0 / 64.0; // of a triangle, of its longest edge
 constexpr double Turned = 1.0 / 1048576.0; // what is smaller as seen along the normal may be turned over by rounding
 constexpr double Tolerance = 1e-9;
-constexpr double Strip = 1e-13;  // what is nearer to an edge goes with what is beside it
-constexpr int MostSteps = 64;    // to the triangle over the middle
-constexpr int MostCorners = 12;  // where rounding makes every corner cross an edge
+constexpr double Strip = 1e-13; // what is nearer to an edge goes with what is beside it
+constexpr int MostSteps = 64;   // to the triangle over the middle
+constexpr int MostCorners = 12; // where rounding makes every corner cross an edge
 
 // Twice the area of a triangle as seen along the normal, of that of the one that is seen from.
 double GetArea(const Place& a, const Place& b, const Place& c)

@@ -9,7 +9,7 @@
  * there are triangles on either side. So every point of the triangle is in a *cell*, the part below one of them.
  *
  * Rounding: differences of corners are exact, so a place is found to a few times 2^-52 of the lengths around it; of
- * triangles that are too long for this nothing is said.
+ * triangles that are too long for this nothing is known.
  *
  * Threads: one at a time.
  */

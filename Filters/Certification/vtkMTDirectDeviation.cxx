@@ -126,7 +126,8 @@ private:
       else if (!isTooLarge && !part.Mesh.Triangles.empty())
       {
         const vtkMTSurface surface(part.Mesh, this->Origin, vtkMTSurface::Planes::MadeWhenAsked);
-        Improver improver({ this->Floor, this->FloorBoxes }, this->Fragment, { surface, part.Known }, this->State, this->Known);
+        Improver improver(
+          { this->Floor, this->FloorBoxes }, this->Fragment, { surface, part.Known }, this->State, this->Known);
         use(improver, range);
       }
     }

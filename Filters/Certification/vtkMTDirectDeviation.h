@@ -85,7 +85,7 @@ public:
   private:
     const Mesh Fragment;
     std::vector<std::uint32_t> Triangles;
-    mutable std::uint32_t Last = 0; // the one that was near before, which may be near again
+    mutable std::uint32_t Last = 0;    // the one that was near before, which may be near again
     std::optional<vtkMTBoxRuns> Boxes; // of these, and what is near
   };
 

@@ -36,13 +36,15 @@ public:
   {
     for (int e = 0; e < 3; ++e)
     {
-      this->Lengths[e] = vtkMTVector::Norm(vtkMTVector::Subtract(this->Shape.Corners[(e + 1) % 3], this->Shape.Corners[e]));
+      this->Lengths[e] =
+        vtkMTVector::Norm(vtkMTVector::Subtract(this->Shape.Corners[(e + 1) % 3], this->Shape.Corners[e]));
     }
     const double longest = std::max({ this->Lengths[0], this->Lengths[1], this->Lengths[2] });
     this->IsSharp = this->Shape.TwiceArea < LeastHeight * longest * longest;
   }
 
-  // Whether a place is so near, or a bit more at corners. Most are not, by the plane or by the line along an edge alone.
+  // Whether a place is so near, or a bit more at corners. Most are not, by the plane or by the line along an edge
+  // alone.
   bool IsWithin(const vtkMTSurface::Vector& x, double reach) const
   {
     const double most = reach * (1.0 + 1e-9) + std::numeric_limits<double>::min();
@@ -132,8 +134,9 @@ vtkMTDirectImprover::vtkMTDirectImprover(
     this->Up.After[s] = finer.Known[s].ToInput;
     this->Down.Before[s] = finer.Known[s].FromInput;
   }
-  this->Down.IsElsewhere = [this](const Vector& x, double radius)
-  { return !this->IsExhausted() && !this->IsNearFloor({ x, this->Reach + radius }); };
+  this->Down.IsElsewhere = [this](const Vector& x, double radius) {
+    return !this->IsExhausted() && !this->IsNearFloor({ x, this->Reach + radius });
+  };
   this->Up.Search = [this](const Vector& x, const vtkMTSurface::Hit& guess) { return this->FindNearest(x, guess); };
 }
 
@@ -251,14 +254,15 @@ std::uint32_t vtkMTDirectImprover::FindOver(std::uint32_t t) const
 }
 
 //------------------------------------------------------------------------------
-// The nearest of the candidates, or the guess. Where looking has taken too long already, the guess: it then says nothing
-// of the truth, and the triangle is given up.
+// The nearest of the candidates, or the guess; without either something near. Where looking has taken too long already,
+// the guess: it then tells nothing of the truth, and the triangle is given up.
 vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTSurface::Hit& guess)
 {
+  const auto getAny = [&] { return this->Finer.Surface.Project(x, this->FinerBoxes.FindNear(x)); };
   if (this->IsExhausted())
   {
     this->Up.IsTrial = true;
-    return guess;
+    return guess.Triangle == None ? getAny() : guess;
   }
   if (!this->HasCandidates)
   {
@@ -282,6 +286,10 @@ vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTS
       nearest2 = distance2;
       here.Radius = std::sqrt(distance2);
     }
+  }
+  if (nearest == None)
+  {
+    return getAny();
   }
   return nearest == guess.Triangle ? guess : this->Finer.Surface.Project(x, nearest);
 }

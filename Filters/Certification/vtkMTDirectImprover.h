@@ -91,7 +91,7 @@ private:
   bool HasCandidates = false;      // of that
   std::uint32_t LastOver = None;   // what lies over the candidate that was bounded last
   std::uint32_t LastNearFloor = 0; // the floor's triangle that was looked at last
-  double Reach = 0.0; // of what stands on the finer triangle that is bounded
+  double Reach = 0.0;              // of what stands on the finer triangle that is bounded
   std::size_t Budget;
   const std::size_t MostEffort;
   std::size_t Effort = 0; // balls that were looked at

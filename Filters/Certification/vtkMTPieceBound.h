@@ -6,13 +6,15 @@
  * The distance from a point to one fixed triangle s is convex, so over a convex piece of the plane it is largest at the
  * piece's corners: the largest corner distance to s is an upper bound of how far any point of the piece is from the
  * other mesh. A triangle is held against one triangle of the other mesh after the other, and where the least bound is
- * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into pieces
- * and these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along
- * that triangle's normal, so that pieces come to lie over one triangle each; else what is near enough to the triangle
- * nearest to one of the corners is split off, however long or thin it is; else in halves. Pieces are split until their
- * bound is within Share of that lower bound (more after many halvings of one triangle) or within Looseness of
- * their own, or the budget of pieces is used up; the result is then still an upper bound. Where a piece lies in the
- * plane of s, which is decided in exact integers, and over s, its distance is exactly zero.
+ * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into the
+ * cells below the triangles that lie over it (vtkMTCellsOver), each of which is held against its own. Where these are
+ * not known to cover it, and where one of them is not near enough, pieces are bounded one by one: they are split along
+ * the edges of the triangle nearest to the piece's middle, seen along that triangle's normal, so that they come to lie
+ * over one triangle each; else what is near enough to the triangle nearest to one of the corners is split off, however
+ * long or thin it is; else in halves. Pieces are split until their bound is within Share of that lower bound (more
+ * after many halvings of one triangle) or within Looseness of their own, or the budget of pieces is used up; the result
+ * is then still an upper bound. Where a piece lies in the plane of s, which is decided in exact integers, and over s,
+ * its distance is exactly zero.
  *
  * What is known of either side's triangles already is added to a distance: `Before` of the triangle itself, `After` of
  * the one that it is held against.

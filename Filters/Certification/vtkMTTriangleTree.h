@@ -5,8 +5,8 @@
  *
  * A bounding volume hierarchy with median splits along the longest side of the centroids' box, four triangles a leaf.
  * It is made when it pays: the first queries look at the boxes of runs of triangles instead (vtkMTBoxRuns), which cost
- * far less to make and do well as neighbours are mostly near in a patch's order. A query may be given a triangle to begin with: a
- * good guess spares most of the traversal. Ties go to that triangle, else to the one that is met first.
+ * far less to make and do well as neighbours are mostly near in a patch's order. A query may be given a triangle to
+ * begin with: a good guess spares most of the traversal. Ties go to that triangle, else to the one that is met first.
  *
  * Threads: a tree is asked by one thread at a time.
  */
@@ -93,7 +93,7 @@ private:
   const vtkMTSurface& Surface;
   const std::uint64_t MostEffort;
   int Queries = 0;
-  std::uint64_t Effort = 0;                // of all queries together
+  std::uint64_t Effort = 0; // of all queries together
   std::optional<vtkMTBoxRuns> Runs;
   std::vector<std::uint32_t> Order;
   std::vector<Node> Nodes;
