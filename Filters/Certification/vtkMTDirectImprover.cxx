@@ -177,7 +177,7 @@ void vtkMTDirectImprover::ImproveFromInput(const Range& range)
       break;
     }
     this->FindCandidates(t, known);
-    const double bound = this->BoundCandidates(t, isBound);
+    const double bound = this->BoundCandidates(t, known, isBound);
     if (this->Sought.IsLast)
     {
       this->Sought.Kept = std::max(this->Sought.Kept, std::min(bound, known));
@@ -295,20 +295,24 @@ vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTS
 }
 
 //------------------------------------------------------------------------------
-// The largest of the candidates' bounds.
-double vtkMTDirectImprover::BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound)
+// The largest of the candidates' bounds, or the first that is found to be known or more.
+double vtkMTDirectImprover::BoundCandidates(std::uint32_t t, double known, std::vector<unsigned char>& isBound)
 {
   double bound = 0.0;
-  this->LastOver = None;
   for (const Candidate& candidate : this->Candidates)
   {
-    const std::uint32_t s = candidate.Triangle;
+    bound = std::max(bound, isBound[candidate.Triangle] ? this->Down.GetBoundOfTriangle()[candidate.Triangle] : 0.0);
+  }
+  this->LastOver = None;
+  for (std::size_t i = 0; i < this->Candidates.size() && bound < known; ++i)
+  {
+    const std::uint32_t s = this->Candidates[i].Triangle;
     if (!isBound[s])
     {
       isBound[s] = 1;
       this->BoundCandidate(s, t);
+      bound = std::max(bound, this->Down.GetBoundOfTriangle()[s]);
     }
-    bound = std::max(bound, this->Down.GetBoundOfTriangle()[s]);
   }
   return bound;
 }

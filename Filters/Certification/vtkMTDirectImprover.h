@@ -64,7 +64,7 @@ private:
   Ball GetBallOfFiner(std::uint32_t s) const;
   std::uint32_t FindOver(std::uint32_t t) const;
   vtkMTSurface::Hit FindNearest(const Vector& x, const vtkMTSurface::Hit& guess);
-  double BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound);
+  double BoundCandidates(std::uint32_t t, double known, std::vector<unsigned char>& isBound);
   void BoundCandidate(std::uint32_t s, std::uint32_t t);
   bool IsNearFloor(const Ball& ball);
   void HandOn(const std::vector<std::uint32_t>& handedOn, const std::vector<unsigned char>& isHanded);
