@@ -6,7 +6,7 @@ option(MT_UNITY_BUILD "Compile several sources of a module as one" OFF)
 
 # Sources whose names in unnamed namespaces meet those of others.
 set(mt_single_sources
-  MTCertification:Filters/Certification/vtkMTBallGrid.cxx
+  MTCertification:Filters/Certification/vtkMTCellsOver.cxx
   MTCertification:Filters/Certification/vtkMTDirectDeviation.cxx
   MTCertification:Filters/Certification/vtkMTDirectImprover.cxx
   MTCertification:Filters/Certification/vtkMTFinerRecord.cxx
@@ -78,6 +78,7 @@ endfunction ()
 
 # Tests of one program whose names in unnamed namespaces meet those of others.
 set(mt_single_tests
+  Certification/TestCellsOver.cxx
   Certification/TestTriangleDeviation.cxx
   Construction/TestFarOutliers.cxx
   Construction/TestInputIds.cxx

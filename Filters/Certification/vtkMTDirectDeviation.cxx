@@ -13,7 +13,7 @@ constexpr std::size_t Probes = 16; // triangles by which the largest true deviat
 // Of a fragment, until what is near one part is small enough. Where sums are so large that everything is near every
 // triangle, as of thousands of components that lie apart, halving does not help.
 constexpr int MostHalvings = 6;
-using Ball = vtkMTBallGrid::Ball;
+using Ball = vtkMTBoxRuns::Ball;
 using Deviations = vtkMTDirectDeviation::Deviations;
 using Improver = vtkMTDirectImprover;
 
@@ -125,8 +125,9 @@ private:
       }
       else if (!isTooLarge && !part.Mesh.Triangles.empty())
       {
-        const vtkMTSurface surface(part.Mesh, this->Origin);
-        Improver improver(this->Floor, this->Fragment, { surface, part.Known }, this->State, this->Known);
+        const vtkMTSurface surface(part.Mesh, this->Origin, vtkMTSurface::Planes::MadeWhenAsked);
+        Improver improver(
+          { this->Floor, this->FloorBoxes }, this->Fragment, { surface, part.Known }, this->State, this->Known);
         use(improver, range);
       }
     }
@@ -134,6 +135,7 @@ private:
   }
 
   const vtkMTDirectDeviation::Mesh Floor;
+  std::optional<vtkMTBoxRuns> FloorBoxes; // around each triangle and what stands on it
   const vtkMTSurface& Fragment;
   const vtkMTPoint& Origin;
   const vtkMTDirectDeviation::Collect& Collect;
@@ -144,7 +146,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-vtkMTBallGrid::Ball vtkMTDirectDeviation::GetBall(
+vtkMTBoxRuns::Ball vtkMTDirectDeviation::GetBall(
   const vtkMTSurface::Vector& a, const vtkMTSurface::Vector& b, const vtkMTSurface::Vector& c, double wider)
 {
   Ball ball;
@@ -163,29 +165,33 @@ vtkMTBallGrid::Ball vtkMTDirectDeviation::GetBall(
 vtkMTDirectDeviation::Neighbourhood::Neighbourhood(const Mesh& fragment, const Range& range, double least)
   : Fragment(fragment)
 {
-  std::vector<Ball> balls;
+  std::vector<vtkMTBoxRuns::Box> boxes;
   for (std::uint32_t t = range.First; t < range.End; ++t)
   {
     const double known = vtkMTDirectImprover::GetLarger(fragment.Known[t]);
     if (known > least)
     {
       this->Triangles.push_back(t);
-      balls.push_back(vtkMTDirectImprover::GetBall(fragment.Surface, t, known));
+      boxes.push_back(vtkMTBoxRuns::GetBox(fragment.Surface, t, known));
     }
   }
-  this->Balls.emplace(std::move(balls));
+  this->Boxes.emplace(std::move(boxes));
 }
 
 //------------------------------------------------------------------------------
 bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
 {
-  return this->Balls->HasTouching(ball,
-    [&](std::uint32_t i)
-    {
-      const std::uint32_t t = this->Triangles[i];
-      return vtkMTDirectImprover::IsWithin(
-        this->Fragment.Surface, t, ball.Middle, ball.Radius + vtkMTDirectImprover::GetLarger(this->Fragment.Known[t]));
-    });
+  const auto touches = [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); };
+  const auto accept = [&](std::uint32_t i)
+  {
+    const std::uint32_t t = this->Triangles[i];
+    this->Last = i;
+    return vtkMTDirectImprover::IsWithin(
+      this->Fragment.Surface, t, ball.Middle, ball.Radius + vtkMTDirectImprover::GetLarger(this->Fragment.Known[t]));
+  };
+  const bool isNearLast =
+    this->Last < this->Triangles.size() && touches(this->Boxes->GetBox(this->Last)) && accept(this->Last);
+  return isNearLast || this->Boxes->HasTouched(touches, accept);
 }
 
 //------------------------------------------------------------------------------

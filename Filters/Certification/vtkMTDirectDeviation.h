@@ -28,7 +28,7 @@
 #ifndef vtkMTDirectDeviation_h
 #define vtkMTDirectDeviation_h
 
-#include "vtkMTBallGrid.h"
+#include "vtkMTBoxRuns.h"
 #include "vtkMTCertificationModule.h" // For export macro
 #include "vtkMTDeviation.h"
 #include "vtkMTSurface.h"
@@ -79,13 +79,14 @@ public:
   public:
     Neighbourhood(const Mesh& fragment, const Range& range, double least);
 
-    /// Whether a ball (relative to the surface's origin) is near one of them.
-    bool Touches(const vtkMTBallGrid::Ball& ball) const;
+    /// Whether a ball (relative to the surface's origin) is near one of them. By one thread at a time.
+    bool Touches(const vtkMTBoxRuns::Ball& ball) const;
 
   private:
     const Mesh Fragment;
     std::vector<std::uint32_t> Triangles;
-    std::optional<vtkMTBallGrid> Balls;
+    mutable std::uint32_t Last = 0;    // the one that was near before, which may be near again
+    std::optional<vtkMTBoxRuns> Boxes; // of these, and what is near
   };
 
   /// A part of a finer mesh.
@@ -112,7 +113,7 @@ public:
     const Collect& collect, Deviations& deviations, std::string& error);
 
   /// A ball around a triangle, and so much wider.
-  static vtkMTBallGrid::Ball GetBall(
+  static vtkMTBoxRuns::Ball GetBall(
     const vtkMTSurface::Vector& a, const vtkMTSurface::Vector& b, const vtkMTSurface::Vector& c, double wider);
 };
 

@@ -2,6 +2,7 @@
 #include "vtkMTDirectImprover.h"
 
 #include "vtkMTRoundUp.h"
+#include "vtkMTVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,32 +13,60 @@ namespace
 // Balls to look at per triangle of both meshes: many times what surfaces need. Of meshes that are stretched a million
 // times every ball is near all others; sums stand then.
 constexpr std::size_t EffortPerTriangle = 64;
-using Ball = vtkMTBallGrid::Ball;
 
-std::vector<Ball> GetBalls(const vtkMTDirectDeviation::Mesh& mesh, double wider)
+constexpr double LeastHeight = 0.25; // of a triangle that is not sharp, of its longest edge
+using Ball = vtkMTBoxRuns::Ball;
+
+std::vector<vtkMTBoxRuns::Box> GetBoxes(const vtkMTDirectDeviation::Mesh& mesh, double wider)
 {
-  std::vector<Ball> balls(mesh.Surface.GetNumberOfTriangles());
-  for (std::uint32_t t = 0; t < balls.size(); ++t)
+  std::vector<vtkMTBoxRuns::Box> boxes(mesh.Surface.GetNumberOfTriangles());
+  for (std::uint32_t t = 0; t < boxes.size(); ++t)
   {
-    balls[t] = vtkMTDirectImprover::GetBall(mesh.Surface, t, mesh.Known[t].FromInput + wider);
+    boxes[t] = vtkMTBoxRuns::GetBox(mesh.Surface, t, mesh.Known[t].FromInput + wider);
   }
-  return balls;
+  return boxes;
 }
 
-// Around a triangle, and so much wider.
-vtkMTBallGrid::Box GetBox(const vtkMTSurface& surface, std::uint32_t t, double wider)
+// A triangle and how far from it places are, at least.
+class Target
 {
-  vtkMTBallGrid::Box box{ surface.GetCorner(t, 0), surface.GetCorner(t, 0), wider };
-  for (int c = 1; c < 3; ++c)
+public:
+  Target(const vtkMTSurface& surface, std::uint32_t triangle)
+    : Shape(surface.GetTriangle(triangle, this->Made))
   {
-    for (int i = 0; i < 3; ++i)
+    for (int e = 0; e < 3; ++e)
     {
-      box.Low[i] = std::min(box.Low[i], surface.GetCorner(t, c)[i]);
-      box.High[i] = std::max(box.High[i], surface.GetCorner(t, c)[i]);
+      this->Lengths[e] =
+        vtkMTVector::Norm(vtkMTVector::Subtract(this->Shape.Corners[(e + 1) % 3], this->Shape.Corners[e]));
     }
+    const double longest = std::max({ this->Lengths[0], this->Lengths[1], this->Lengths[2] });
+    this->IsSharp = this->Shape.TwiceArea < LeastHeight * longest * longest;
   }
-  return box;
-}
+
+  // Whether a place is so near, or a bit more at corners. Most are not, by the plane or by the line along an edge
+  // alone.
+  bool IsWithin(const vtkMTSurface::Vector& x, double reach) const
+  {
+    const double most = reach * (1.0 + 1e-9) + std::numeric_limits<double>::min();
+    const vtkMTSurface::Vector way = vtkMTVector::Subtract(x, this->Shape.Corners[0]);
+    const double area0 = vtkMTVector::Dot(way, this->Shape.Inward0);
+    const double area2 = vtkMTVector::Dot(way, this->Shape.Inward2);
+    const double area1 = this->Shape.TwiceArea - area0 - area2;
+    if (this->Shape.TwiceArea > 0.0 &&
+      (std::abs(vtkMTVector::Dot(way, this->Shape.Normal)) > most || area0 < -most * this->Lengths[0] ||
+        area1 < -most * this->Lengths[1] || area2 < -most * this->Lengths[2]))
+    {
+      return false;
+    }
+    return !this->IsSharp || vtkMTSurface::GetDistance2(x, this->Shape, 2.0 * most * most) <= reach * reach;
+  }
+
+private:
+  vtkMTSurface::Triangle Made;
+  const vtkMTSurface::Triangle& Shape;
+  std::array<double, 3> Lengths; // of its edges
+  bool IsSharp;
+};
 
 // Triangles of a range of which more than limit is known, most first.
 std::vector<std::uint32_t> SortAbove(const vtkMTDirectDeviation::Deviations& deviations,
@@ -80,7 +109,7 @@ bool vtkMTDirectImprover::IsWithin(const vtkMTSurface& surface, std::uint32_t t,
 
 //------------------------------------------------------------------------------
 vtkMTDirectImprover::vtkMTDirectImprover(
-  const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known)
+  const FloorOf& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known)
   : Floor(floor)
   , Fragment(fragment)
   , Finer(finer)
@@ -89,7 +118,7 @@ vtkMTDirectImprover::vtkMTDirectImprover(
   , Slack(std::ldexp(std::max(fragment.GetExtent(), finer.Surface.GetExtent()), -40))
   , Up(fragment, finer.Surface, this->Slack, this->UpResult)
   , Down(finer.Surface, fragment, this->Slack, this->DownResult)
-  , FinerBalls(GetBalls(finer, this->Slack))
+  , FinerBoxes(GetBoxes(finer, this->Slack))
   , Budget(vtkMTDeviation::PiecesPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
   , MostEffort(EffortPerTriangle * (fragment.GetNumberOfTriangles() + finer.Surface.GetNumberOfTriangles()))
 {
@@ -97,6 +126,7 @@ vtkMTDirectImprover::vtkMTDirectImprover(
   // What is split anyway may as well have a bound that does not decide again.
   this->Up.Share = state.IsLast ? 1.0 : state.Loose;
   this->Up.IsTrial = !state.IsLast;
+  this->Up.IsOneSided = true;
   this->Down.Share = state.Loose;
   this->Down.IsTrial = !state.IsLast;
   for (std::size_t s = 0; s < finer.Known.size(); ++s)
@@ -104,6 +134,9 @@ vtkMTDirectImprover::vtkMTDirectImprover(
     this->Up.After[s] = finer.Known[s].ToInput;
     this->Down.Before[s] = finer.Known[s].FromInput;
   }
+  this->Down.IsElsewhere = [this](const Vector& x, double radius) {
+    return !this->IsExhausted() && !this->IsNearFloor({ x, this->Reach + radius });
+  };
   this->Up.Search = [this](const Vector& x, const vtkMTSurface::Hit& guess) { return this->FindNearest(x, guess); };
 }
 
@@ -118,10 +151,12 @@ void vtkMTDirectImprover::ImproveToInput(const Range& range, double least)
     {
       break;
     }
-    this->FindCandidates(t);
-    if (!this->Candidates.empty())
+    const std::uint32_t over = this->FindOver(t);
+    if (over != None)
     {
-      this->Up.Bound(t, { None, None, None }, this->Budget);
+      this->Searched = t;
+      this->HasCandidates = false;
+      this->Up.BoundNear(t, over, None, this->Budget);
       known = std::min(known, vtkMTRoundUp::ToFloat(this->Up.GetBoundOfTriangle()[t]));
     }
   }
@@ -141,8 +176,8 @@ void vtkMTDirectImprover::ImproveFromInput(const Range& range)
     {
       break;
     }
-    this->FindCandidates(t);
-    const double bound = this->BoundCandidates(t, isBound);
+    this->FindCandidates(t, known);
+    const double bound = this->BoundCandidates(t, known, isBound);
     if (this->Sought.IsLast)
     {
       this->Sought.Kept = std::max(this->Sought.Kept, std::min(bound, known));
@@ -150,9 +185,9 @@ void vtkMTDirectImprover::ImproveFromInput(const Range& range)
     if (bound < known)
     {
       handedOn.push_back(t);
-      for (const std::uint32_t s : this->Candidates)
+      for (const Candidate& candidate : this->Candidates)
       {
-        isHanded[s] = 1;
+        isHanded[candidate.Triangle] = 1;
       }
     }
   }
@@ -166,115 +201,149 @@ double vtkMTDirectImprover::GetLimit() const
 }
 
 //------------------------------------------------------------------------------
-// The finer triangles that are so near to t.
-void vtkMTDirectImprover::FindCandidates(std::uint32_t t)
+// The finer triangles that, with what stands on them, are so near to t.
+void vtkMTDirectImprover::FindCandidates(std::uint32_t t, double known)
 {
-  const auto [place, isNew] = this->FoundBefore.try_emplace(t);
-  if (!isNew)
-  {
-    this->Candidates = place->second;
-    return;
-  }
-  const double known = GetLarger(this->Known[t]);
   this->Candidates.clear();
-  this->FinerBalls.HasTouching(GetBox(this->Fragment, t, known),
+  const Target target(this->Fragment, t);
+  const vtkMTBoxRuns::Box around = vtkMTBoxRuns::GetBox(this->Fragment, t, known);
+  this->FinerBoxes.HasTouched([&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(around, box); },
     [&](std::uint32_t s)
     {
       ++this->Effort;
-      const Ball& ball = this->FinerBalls.GetBall(s);
-      if (IsWithin(this->Fragment, t, ball.Middle, known + ball.Radius))
+      const Ball ball = this->GetBallOfFiner(s);
+      if (target.IsWithin(ball.Middle, known + ball.Radius))
       {
-        this->Candidates.push_back(s);
+        this->Candidates.push_back({ ball, s });
       }
       return false;
     });
-  place->second = this->Candidates;
 }
 
 //------------------------------------------------------------------------------
-// The nearest of the candidates, or the guess. Where looking has taken too long already, any of them: it then says
-// nothing of the truth, and the triangle is given up.
+// Around the box of a finer triangle, and what stands on that.
+Ball vtkMTDirectImprover::GetBallOfFiner(std::uint32_t s) const
+{
+  const double wider = this->Finer.Known[s].FromInput + this->Slack;
+  const vtkMTBoxRuns::Box& box = this->FinerBoxes.GetBox(s);
+  Ball ball;
+  double half2 = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    ball.Middle[i] = 0.5 * (box.Low[i] + box.High[i]);
+    const double half = 0.5 * (box.High[i] - box.Low[i]) - wider;
+    half2 += half * half;
+  }
+  ball.Radius = std::sqrt(half2) + wider;
+  return ball;
+}
+
+//------------------------------------------------------------------------------
+// A finer triangle about as near to the middle of t as the input is: from there the way is not far.
+std::uint32_t vtkMTDirectImprover::FindOver(std::uint32_t t) const
+{
+  const Ball ball{ GetBall(this->Fragment, t, 0.0).Middle, this->Known[t].ToInput };
+  std::uint32_t over = None;
+  this->FinerBoxes.HasTouched([&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); },
+    [&](std::uint32_t s)
+    {
+      over = s;
+      return true;
+    });
+  return over;
+}
+
+//------------------------------------------------------------------------------
+// The nearest of the candidates, or the guess; without either something near. Where looking has taken too long already,
+// the guess: it then tells nothing of the truth, and the triangle is given up.
 vtkMTSurface::Hit vtkMTDirectImprover::FindNearest(const Vector& x, const vtkMTSurface::Hit& guess)
 {
+  const auto getAny = [&] { return this->Finer.Surface.Project(x, this->FinerBoxes.FindNear(x)); };
   if (this->IsExhausted())
   {
     this->Up.IsTrial = true;
-    return guess.Triangle == None ? this->Finer.Surface.Project(x, this->Candidates.front()) : guess;
+    return guess.Triangle == None ? getAny() : guess;
   }
-  vtkMTSurface::Hit nearest = guess;
-  Ball here{ x, std::sqrt(nearest.Distance2) };
-  this->Effort += this->Candidates.size();
-  for (const std::uint32_t s : this->Candidates)
+  if (!this->HasCandidates)
   {
-    if (vtkMTBallGrid::Touch(here, this->FinerBalls.GetBall(s)) &&
-      this->Finer.Surface.GetDistance2(x, s, nearest.Distance2) < nearest.Distance2)
+    this->FindCandidates(this->Searched, this->Known[this->Searched].ToInput);
+    this->HasCandidates = true;
+  }
+  std::uint32_t nearest = guess.Triangle;
+  double nearest2 = guess.Distance2;
+  Ball here{ x, std::sqrt(nearest2) };
+  this->Effort += this->Candidates.size();
+  for (const auto& [ball, s] : this->Candidates)
+  {
+    if (!vtkMTBoxRuns::Touch(here, ball))
     {
-      nearest = this->Finer.Surface.Project(x, s);
-      here.Radius = std::sqrt(nearest.Distance2);
+      continue;
+    }
+    const double distance2 = this->Finer.Surface.GetDistance2(x, s, nearest2);
+    if (distance2 < nearest2)
+    {
+      nearest = s;
+      nearest2 = distance2;
+      here.Radius = std::sqrt(distance2);
     }
   }
-  return nearest;
+  if (nearest == None)
+  {
+    return getAny();
+  }
+  return nearest == guess.Triangle ? guess : this->Finer.Surface.Project(x, nearest);
 }
 
 //------------------------------------------------------------------------------
-// The largest of the candidates' bounds.
-double vtkMTDirectImprover::BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound)
+// The largest of the candidates' bounds, or the first that is found to be known or more.
+double vtkMTDirectImprover::BoundCandidates(std::uint32_t t, double known, std::vector<unsigned char>& isBound)
 {
   double bound = 0.0;
-  for (const std::uint32_t s : this->Candidates)
+  for (const Candidate& candidate : this->Candidates)
   {
+    bound = std::max(bound, isBound[candidate.Triangle] ? this->Down.GetBoundOfTriangle()[candidate.Triangle] : 0.0);
+  }
+  this->LastOver = None;
+  for (std::size_t i = 0; i < this->Candidates.size() && bound < known; ++i)
+  {
+    const std::uint32_t s = this->Candidates[i].Triangle;
     if (!isBound[s])
     {
       isBound[s] = 1;
       this->BoundCandidate(s, t);
+      bound = std::max(bound, this->Down.GetBoundOfTriangle()[s]);
     }
-    bound = std::max(bound, this->Down.GetBoundOfTriangle()[s]);
   }
   return bound;
 }
 
 //------------------------------------------------------------------------------
+// What s is truly away says nothing of the fragment, as long as s may be another region's.
 void vtkMTDirectImprover::BoundCandidate(std::uint32_t s, std::uint32_t t)
 {
-  const std::size_t credited = this->Down.GetCredited().size();
-  const Vector& middle = this->FinerBalls.GetBall(s).Middle;
-  vtkMTSurface::Hit below = this->Fragment.Project(middle, t);
-  this->Fragment.Descend(middle, below);
-  this->BoundAgain(s, below.Triangle);
-  if (this->Down.GetBoundOfTriangle()[s] > this->GetLimit() && !this->IsExhausted())
-  {
-    this->Down.Forget(s, credited);
-    const double reach = this->Finer.Known[s].FromInput + this->Slack;
-    this->Down.IsElsewhere = [this, reach](const Vector& x, double radius) {
-      return !this->IsNearFloor({ x, reach + radius });
-    };
-    this->BoundAgain(s, below.Triangle);
-    this->Down.IsElsewhere = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-// What s is truly away says nothing of the fragment, as long as s may be another region's.
-void vtkMTDirectImprover::BoundAgain(std::uint32_t s, std::uint32_t guess)
-{
   this->DownResult.LowerBound = this->UpResult.LowerBound;
-  this->Down.Bound(s, { guess, None, None }, this->Budget);
+  this->Reach = this->Finer.Known[s].FromInput + this->Slack;
+  this->LastOver = this->Down.BoundNear(s, t, this->LastOver, this->Budget);
 }
 
 //------------------------------------------------------------------------------
 // Whether a ball may hold a point of the input that stands on the floor.
 bool vtkMTDirectImprover::IsNearFloor(const Ball& ball)
 {
-  if (!this->FloorBalls)
+  if (!this->Floor.Boxes)
   {
-    this->FloorBalls.emplace(GetBalls(this->Floor, 0.0));
+    this->Floor.Boxes.emplace(GetBoxes(this->Floor.Triangles, 0.0));
   }
-  return this->FloorBalls->HasTouching(ball,
-    [&](std::uint32_t f)
-    {
-      ++this->Effort;
-      return IsWithin(this->Floor.Surface, f, ball.Middle, ball.Radius + this->Floor.Known[f].FromInput);
-    });
+  const auto isNear = [&](std::uint32_t f)
+  {
+    ++this->Effort;
+    this->LastNearFloor = f;
+    const double reach = ball.Radius + this->Floor.Triangles.Known[f].FromInput;
+    return IsWithin(this->Floor.Triangles.Surface, f, ball.Middle, reach);
+  };
+  const auto touches = [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); };
+  return (touches(this->Floor.Boxes->GetBox(this->LastNearFloor)) && isNear(this->LastNearFloor)) ||
+    this->Floor.Boxes->HasTouched(touches, isNear);
 }
 
 //------------------------------------------------------------------------------

@@ -8,20 +8,19 @@
 #ifndef vtkMTDirectImprover_h
 #define vtkMTDirectImprover_h
 
-#include "vtkMTBallGrid.h"
+#include "vtkMTBoxRuns.h"
 #include "vtkMTDeviation.h"
 #include "vtkMTDirectDeviation.h"
 #include "vtkMTPieceBound.h"
 
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 class vtkMTDirectImprover
 {
 public:
-  using Ball = vtkMTBallGrid::Ball;
+  using Ball = vtkMTBoxRuns::Ball;
   using Deviations = vtkMTDirectDeviation::Deviations;
   using Mesh = vtkMTDirectDeviation::Mesh;
   using Range = vtkMTDirectDeviation::Range;
@@ -37,9 +36,15 @@ public:
     bool IsLast = true;         ///< no finer mesh follows
   };
 
+  /// The floor, and boxes around its triangles and what stands on them, which are made when they are asked for.
+  struct FloorOf
+  {
+    const Mesh& Triangles;
+    std::optional<vtkMTBoxRuns>& Boxes;
+  };
   /// Lowers known: [fragment's triangles].
   vtkMTDirectImprover(
-    const Mesh& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known);
+    const FloorOf& floor, const vtkMTSurface& fragment, const Mesh& finer, const State& state, Deviations& known);
 
   const State& GetState() const { return this->Sought; }
 
@@ -55,15 +60,22 @@ public:
 private:
   bool IsExhausted() const { return this->Effort > this->MostEffort; }
   double GetLimit() const;
-  void FindCandidates(std::uint32_t t);
+  void FindCandidates(std::uint32_t t, double known);
+  Ball GetBallOfFiner(std::uint32_t s) const;
+  std::uint32_t FindOver(std::uint32_t t) const;
   vtkMTSurface::Hit FindNearest(const Vector& x, const vtkMTSurface::Hit& guess);
-  double BoundCandidates(std::uint32_t t, std::vector<unsigned char>& isBound);
+  double BoundCandidates(std::uint32_t t, double known, std::vector<unsigned char>& isBound);
   void BoundCandidate(std::uint32_t s, std::uint32_t t);
-  void BoundAgain(std::uint32_t s, std::uint32_t guess);
   bool IsNearFloor(const Ball& ball);
   void HandOn(const std::vector<std::uint32_t>& handedOn, const std::vector<unsigned char>& isHanded);
 
-  const Mesh Floor;
+  struct Candidate
+  {
+    Ball Around; // and around what stands on it
+    std::uint32_t Triangle;
+  };
+
+  const FloorOf Floor;
   const vtkMTSurface& Fragment;
   const Mesh Finer;
   Deviations& Known;
@@ -73,10 +85,13 @@ private:
   vtkMTDeviation DownResult;
   vtkMTPieceBound Up;
   vtkMTPieceBound Down;
-  const vtkMTBallGrid FinerBalls; // around each triangle and what stands on it
-  std::vector<std::uint32_t> Candidates;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> FoundBefore;
-  std::optional<vtkMTBallGrid> FloorBalls;
+  const vtkMTBoxRuns FinerBoxes; // around each triangle and what stands on it
+  std::vector<Candidate> Candidates;
+  std::uint32_t Searched = None;   // the triangle that is held against the finer mesh
+  bool HasCandidates = false;      // of that
+  std::uint32_t LastOver = None;   // what lies over the candidate that was bounded last
+  std::uint32_t LastNearFloor = 0; // the floor's triangle that was looked at last
+  double Reach = 0.0;              // of what stands on the finer triangle that is bounded
   std::size_t Budget;
   const std::size_t MostEffort;
   std::size_t Effort = 0; // balls that were looked at

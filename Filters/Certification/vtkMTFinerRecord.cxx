@@ -52,7 +52,7 @@ void Include(const vtkMTBox& box, vtkMTBox& whole)
 // Rounded so that nothing is left out: single precision is within 2^-23 of coordinates that are below 2^32 in size.
 Group MakeGroup(const vtkMTBox& box, const vtkMTPoint& corner, double wider)
 {
-  const vtkMTBallGrid::Ball ball = vtkMTFinerRecord::GetBall(box, corner, wider);
+  const vtkMTBoxRuns::Ball ball = vtkMTFinerRecord::GetBall(box, corner, wider);
   Group group;
   double largest = ball.Radius;
   for (int i = 0; i < 3; ++i)
@@ -150,7 +150,7 @@ public:
 private:
   bool IsNear(const Group& group) const
   {
-    vtkMTBallGrid::Ball ball{ this->Corner, group.Radius };
+    vtkMTBoxRuns::Ball ball{ this->Corner, group.Radius };
     for (int i = 0; i < 3; ++i)
     {
       ball.Middle[i] += group.Middle[i];
@@ -216,7 +216,7 @@ struct Taking
 }
 
 //------------------------------------------------------------------------------
-vtkMTBallGrid::Ball vtkMTFinerRecord::GetBall(const vtkMTBox& box, const vtkMTPoint& origin, double wider)
+vtkMTBoxRuns::Ball vtkMTFinerRecord::GetBall(const vtkMTBox& box, const vtkMTPoint& origin, double wider)
 {
   const vtkMTSurface::Vector low = GetPlace({ box[0], box[2], box[4] }, origin);
   return vtkMTDirectDeviation::GetBall(low, low, GetPlace({ box[1], box[3], box[5] }, origin), wider);

@@ -29,7 +29,7 @@ public:
     const vtkMTPoint& origin, vtkMTDirectDeviation::FinerPart& part);
 
   /// Around a box of lattice points, as seen from origin, and so much wider.
-  static vtkMTBallGrid::Ball GetBall(const vtkMTBox& box, const vtkMTPoint& origin, double wider);
+  static vtkMTBoxRuns::Ball GetBall(const vtkMTBox& box, const vtkMTPoint& origin, double wider);
 };
 
 #endif

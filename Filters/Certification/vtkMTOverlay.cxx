@@ -33,7 +33,7 @@ vtkMTOverlay::vtkMTOverlay(const vtkMTSurface& floor, const vtkMTSurface& fragme
 void vtkMTOverlay::FindCells()
 {
   const auto triangles = static_cast<std::uint32_t>(this->Floor.GetNumberOfTriangles());
-  this->Cells.reserve(4 * this->Floor.GetNumberOfTriangles());
+  this->Cells.reserve(5 * this->Floor.GetNumberOfTriangles());
   this->FirstCell.resize(triangles + std::size_t(1));
   for (std::uint32_t t = 0; t < triangles; ++t)
   {

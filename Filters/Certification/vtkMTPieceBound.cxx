@@ -33,6 +33,7 @@ vtkMTPieceBound::vtkMTPieceBound(const vtkMTSurface& from, const vtkMTSurface& t
   , From(from)
   , To(to)
   , Tree(to, vtkMTTriangleTree::GetEnoughEffort(to))
+  , Over(from, to)
   , Slack(slack)
   , Result(result)
   , BoundOfTriangle(from.GetNumberOfTriangles(), 0.0)
@@ -119,15 +120,40 @@ double vtkMTPieceBound::Raise(double distance, std::uint32_t t, std::uint32_t s)
   return isZero ? 0.0 : distance + this->Slack;
 }
 
-void vtkMTPieceBound::Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget)
+vtkMTPieceBound::Entry vtkMTPieceBound::MakeWhole(std::uint32_t triangle) const
 {
-  Piece piece;
-  piece.Triangle = triangle;
+  Entry whole;
+  whole.Shape.Triangle = triangle;
   for (int c = 0; c < 3; ++c)
   {
-    piece.Append(this->From.GetCorner(triangle, c));
+    whole.Shape.Append(this->From.GetCorner(triangle, c));
   }
-  Entry whole{ piece, Match(), None, false };
+  whole.Guess = None;
+  whole.IsNearest = false;
+  return whole;
+}
+
+std::uint32_t vtkMTPieceBound::BoundNear(
+  std::uint32_t triangle, std::uint32_t guess, std::uint32_t nearer, std::size_t& budget)
+{
+  Entry whole = this->MakeWhole(triangle);
+  whole.Guess = nearer == None ? None : this->Over.Begin(triangle, nearer);
+  if (nearer == None || !this->Over.HasBegun())
+  {
+    whole.Guess = this->Over.Begin(triangle, guess);
+  }
+  const std::uint32_t over = this->Over.HasBegun() ? whole.Guess : None;
+  this->Improve(whole, whole.Guess);
+  if (!this->Accept(whole, 0.0))
+  {
+    this->BoundPieces(whole, budget);
+  }
+  return over;
+}
+
+void vtkMTPieceBound::Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget)
+{
+  Entry whole = this->MakeWhole(triangle);
   for (int c = 0; c < 3 && !this->IsNearEnough(whole.Best.Bound); ++c)
   {
     if (guesses[c] != None)
@@ -144,13 +170,17 @@ void vtkMTPieceBound::Bound(std::uint32_t triangle, const std::array<std::uint32
       ++corner;
     }
     std::uint32_t nearest = None;
-    this->Visit(piece.Corners[corner], triangle, nearest);
+    this->Visit(whole.Shape.Corners[corner], triangle, nearest);
     this->Improve(whole, nearest);
   }
   if (!this->Accept(whole, 0.0))
   {
     // From one triangle of a hub to the one that lies below it may be far, past all the others.
     whole.Guess = this->TouchesHub(whole.Best.Triangle) ? None : whole.Best.Triangle;
+    if (whole.Guess != None)
+    {
+      this->Over.Begin(triangle, whole.Guess);
+    }
     this->BoundPieces(whole, budget);
   }
 }
@@ -172,9 +202,11 @@ void vtkMTPieceBound::Improve(Entry& entry, std::uint32_t s) const
     return;
   }
   double distance2 = 0.0;
+  vtkMTSurface::Triangle made;
+  const vtkMTSurface::Triangle& to = this->To.GetTriangle(s, made);
   for (int i = 0; i < piece.Count && distance2 < limit * limit; ++i)
   {
-    distance2 = std::max(distance2, this->To.GetDistance2(piece.Corners[i], s, limit * limit));
+    distance2 = std::max(distance2, vtkMTSurface::GetDistance2(piece.Corners[i], to, limit * limit));
   }
   const double distance = this->Raise(std::sqrt(distance2), piece.Triangle, s);
   if (added + distance < entry.Best.Bound)
@@ -209,8 +241,12 @@ void vtkMTPieceBound::CreditPiece(const Entry& entry)
 
 void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
 {
-  this->Stack.assign(1, whole);
+  this->Stack.clear();
   this->Halvings = 0;
+  if (!this->BoundCells(whole, budget))
+  {
+    this->Stack.push_back(whole);
+  }
   while (!this->Stack.empty())
   {
     Entry& entry = this->Current;
@@ -229,6 +265,41 @@ void vtkMTPieceBound::BoundPieces(const Entry& whole, std::size_t& budget)
   this->Halvings = 0;
 }
 
+// By the triangles of the other mesh that lie over the whole; what is not near enough to its own one is left as pieces.
+// False where none are known to lie over all of it.
+bool vtkMTPieceBound::BoundCells(const Entry& whole, std::size_t& budget)
+{
+  const std::uint32_t triangle = whole.Shape.Triangle;
+  if (whole.Guess == None || !this->Over.Split())
+  {
+    return false;
+  }
+  Entry& entry = this->Current;
+  entry.Shape.Triangle = triangle;
+  entry.Shape.Depth = 1;
+  for (const vtkMTCellsOver::Cell& cell : this->Over.GetCells())
+  {
+    budget -= budget > 0 ? 1 : 0;
+    ++this->Result.Pieces;
+    const double byHeight =
+      static_cast<double>(this->Before[triangle]) + this->After[cell.Triangle] + cell.Height + this->Slack;
+    if (this->IsOneSided && byHeight <= this->BoundOfTriangle[triangle])
+    {
+      continue;
+    }
+    this->Over.GetShape(cell, entry.Shape);
+    entry.Best = whole.Best;
+    entry.Guess = cell.Triangle;
+    entry.IsNearest = false;
+    this->Improve(entry, cell.Triangle);
+    if (!this->Accept(entry, 0.0))
+    {
+      this->Stack.push_back(entry);
+    }
+  }
+  return true;
+}
+
 bool vtkMTPieceBound::IsLeftOut(const Piece& piece) const
 {
   if (!this->IsElsewhere)
@@ -238,19 +309,23 @@ bool vtkMTPieceBound::IsLeftOut(const Piece& piece) const
   return this->IsElsewhere(piece.GetMiddle(), piece.GetRadius());
 }
 
-// What is known by the middle of a piece; nothing where it does not count.
-double vtkMTPieceBound::VisitMiddle(Entry& entry)
+// What is known by a place on a triangle; nothing where it does not count.
+double vtkMTPieceBound::VisitPlace(const Vector& x, std::uint32_t triangle, std::uint32_t& guess)
 {
-  const Vector middle = entry.Shape.GetMiddle();
   const double lowerBound = this->Result.LowerBound;
-  const double trueHere = this->Visit(middle, entry.Shape.Triangle, entry.Guess);
-  entry.IsNearest = true;
-  if (trueHere > lowerBound && this->IsElsewhere && this->IsElsewhere(middle, 0.0))
+  const double trueHere = this->Visit(x, triangle, guess);
+  if (trueHere > lowerBound && this->IsElsewhere && this->IsElsewhere(x, 0.0))
   {
     this->Result.LowerBound = lowerBound;
     return 0.0;
   }
   return trueHere;
+}
+
+double vtkMTPieceBound::VisitMiddle(Entry& entry)
+{
+  entry.IsNearest = true;
+  return this->VisitPlace(entry.Shape.GetMiddle(), entry.Shape.Triangle, entry.Guess);
 }
 
 bool vtkMTPieceBound::GivesUp(const Entry& entry, double trueHere)

@@ -6,13 +6,15 @@
  * The distance from a point to one fixed triangle s is convex, so over a convex piece of the plane it is largest at the
  * piece's corners: the largest corner distance to s is an upper bound of how far any point of the piece is from the
  * other mesh. A triangle is held against one triangle of the other mesh after the other, and where the least bound is
- * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into pieces
- * and these are bounded one by one: first along the edges of the triangle nearest to the piece's middle, seen along
- * that triangle's normal, so that pieces come to lie over one triangle each; else what is near enough to the triangle
- * nearest to one of the corners is split off, however long or thin it is; else in halves. Pieces are split until their
- * bound is within Share of that lower bound (more after many halvings of one triangle) or within Looseness of
- * their own, or the budget of pieces is used up; the result is then still an upper bound. Where a piece lies in the
- * plane of s, which is decided in exact integers, and over s, its distance is exactly zero.
+ * far above the largest true distance seen so far (a lower bound of the result, from points), it is split into the
+ * cells below the triangles that lie over it (vtkMTCellsOver), each of which is held against its own. Where these are
+ * not known to cover it, and where one of them is not near enough, pieces are bounded one by one: they are split along
+ * the edges of the triangle nearest to the piece's middle, seen along that triangle's normal, so that they come to lie
+ * over one triangle each; else what is near enough to the triangle nearest to one of the corners is split off, however
+ * long or thin it is; else in halves. Pieces are split until their bound is within Share of that lower bound (more
+ * after many halvings of one triangle) or within Looseness of their own, or the budget of pieces is used up; the result
+ * is then still an upper bound. Where a piece lies in the plane of s, which is decided in exact integers, and over s,
+ * its distance is exactly zero.
  *
  * What is known of either side's triangles already is added to a distance: `Before` of the triangle itself, `After` of
  * the one that it is held against.
@@ -20,6 +22,7 @@
 #ifndef vtkMTPieceBound_h
 #define vtkMTPieceBound_h
 
+#include "vtkMTCellsOver.h"
 #include "vtkMTPiece.h"
 #include "vtkMTSurface.h"
 #include "vtkMTTriangleTree.h"
@@ -46,7 +49,10 @@ public:
   /// A trial is made where a better mesh to be held against follows: what is known by a place does not raise the lower
   /// bound, and a triangle of which a place is above what is near enough is given up; its bound is infinite then.
   bool IsTrial = false;
-  /// Whether a ball holds nothing of what is to be bounded: pieces within it are left out. Null: everything is.
+  /// Whether GetBoundOfTriangle is all that is asked for afterwards.
+  bool IsOneSided = false;
+  /// Whether a ball holds nothing of what is to be bounded: pieces within it that are not near enough are left out.
+  /// Null: everything counts.
   std::function<bool(const Vector& middle, double radius)> IsElsewhere;
   /// Finds the triangle nearest to a place, at most so far away as a guess is, in place of a tree over all. Null: the
   /// tree does.
@@ -76,14 +82,11 @@ public:
   };
   /// Of all pieces; what follows upon itself is there once.
   const std::vector<Credited>& GetCredited() const { return this->PiecesCredited; }
-  /// Forgets what was found of a triangle since there were so many of them.
-  void Forget(std::uint32_t triangle, std::size_t credited)
-  {
-    this->PiecesCredited.resize(credited);
-    this->BoundOfTriangle[triangle] = 0.0;
-  }
   /// Bounds and credits a triangle by pieces; guesses are triangles (or None) to begin with.
   void Bound(std::uint32_t triangle, const std::array<std::uint32_t, 3>& guesses, std::size_t& budget);
+  /// The same by a triangle nearby, from which the way is not far to the one that lies over the middle; first, where it
+  /// is not None, by one that may be nearer still. Gives the one that lies over the middle, or None.
+  std::uint32_t BoundNear(std::uint32_t triangle, std::uint32_t guess, std::uint32_t nearer, std::size_t& budget);
 
   ///@{
   /// The largest bound that was credited to each triangle.
@@ -114,11 +117,14 @@ private:
   bool Accept(const Entry& entry, double trueHere);
   bool IsLeftOut(const Piece& piece) const;
   bool TouchesHub(std::uint32_t s) const;
+  Entry MakeWhole(std::uint32_t triangle) const;
+  double VisitPlace(const Vector& x, std::uint32_t triangle, std::uint32_t& guess);
   double VisitMiddle(Entry& entry);
   bool GivesUp(const Entry& entry, double trueHere);
   void CreditPiece(const Entry& entry);
   void CreditBy(const Entry& whole, const Piece& part, std::uint32_t s);
   void BoundPieces(const Entry& whole, std::size_t& budget);
+  bool BoundCells(const Entry& whole, std::size_t& budget);
   void BoundPiece(Entry& entry);
   bool CutAlong(const Entry& entry);
   void Push(const Piece& shape, const Match& best, std::uint32_t guess);
@@ -128,6 +134,7 @@ private:
   const vtkMTSurface& From;
   const vtkMTSurface& To;
   vtkMTTriangleTree Tree; // of To
+  vtkMTCellsOver Over;
   const double Slack;
   vtkMTDeviation& Result;
   std::vector<double> BoundOfTriangle;

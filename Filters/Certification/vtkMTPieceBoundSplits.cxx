@@ -27,7 +27,7 @@ std::uint32_t GetTriangle(std::uint32_t halfedge)
 // corners.
 bool vtkMTPieceBound::CutAlong(const Entry& entry)
 {
-  const Vector& normal = this->To.GetNormal(entry.Guess);
+  const Vector normal = this->To.GetNormal(entry.Guess);
   if (!(Dot(normal, normal) > 0.0) || entry.Shape.Count + 3 > Piece::Capacity)
   {
     return false;
@@ -79,7 +79,7 @@ void vtkMTPieceBound::Divide(Entry& entry)
   for (int i = 0; i < entry.Shape.Count && !this->IsElsewhere; ++i)
   {
     nearest[i] = entry.Guess;
-    trueAt[i] = this->Visit(entry.Shape.Corners[i], entry.Shape.Triangle, nearest[i]);
+    trueAt[i] = this->VisitPlace(entry.Shape.Corners[i], entry.Shape.Triangle, nearest[i]);
     trueHere = std::max(trueHere, trueAt[i]);
   }
   if (this->GivesUp(entry, trueHere) || this->Accept(entry, trueHere))
@@ -116,8 +116,10 @@ bool vtkMTPieceBound::SplitOffWithinReach(const Entry& entry, int corner, std::u
   const Piece& piece = entry.Shape;
   const double distance = reach - this->Before[piece.Triangle] - this->After[nearest] - this->Slack;
   const double distance2 = distance * distance;
+  vtkMTSurface::Triangle made;
+  const vtkMTSurface::Triangle& to = this->To.GetTriangle(nearest, made);
   const auto isWithin = [&](const Vector& x)
-  { return distance > 0.0 && this->To.GetDistance2(x, nearest, std::numeric_limits<double>::infinity()) <= distance2; };
+  { return distance > 0.0 && vtkMTSurface::GetDistance2(x, to, std::numeric_limits<double>::infinity()) <= distance2; };
   if (!isWithin(piece.Corners[corner]))
   {
     return false;

@@ -25,63 +25,79 @@ Vector MakeLongNormal(const std::array<Vector, 3>& corners)
 }
 }
 
-vtkMTSurface::vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin)
+vtkMTSurface::vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin, Planes planes)
+  : Places(mesh.Points.size())
 {
   const std::size_t count = mesh.Triangles.size();
-  std::vector<Vector> places(mesh.Points.size());
-  for (std::size_t p = 0; p < places.size(); ++p)
+  for (std::size_t p = 0; p < this->Places.size(); ++p)
   {
     for (int i = 0; i < 3; ++i)
     {
-      places[p][i] = static_cast<double>(mesh.Points[p][i]) - static_cast<double>(origin[i]);
-      this->Extent = std::max(this->Extent, std::abs(places[p][i]));
+      const double x = static_cast<double>(mesh.Points[p][i]) - static_cast<double>(origin[i]);
+      this->Places[p][i] = x;
+      this->Extent = std::max(this->Extent, std::abs(x));
     }
   }
-  this->Triangles.reserve(count);
-  this->Points.resize(3 * count);
   // Below this all products and sums of products are integers below 2^53, so that double precision is exact as well.
-  const bool isSmall = this->Extent <= double(1 << 24);
+  this->IsSmall = this->Extent <= double(1 << 24);
+  this->Points.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const vtkMTTriangle points = mesh.GetPointsOfTriangle(i);
-    std::copy(points.begin(), points.end(), this->Points.begin() + static_cast<std::ptrdiff_t>(3 * i));
-    Triangle t;
-    t.Corners = { places[points[0]], places[points[1]], places[points[2]] };
-    const Vector u = Subtract(t.Corners[1], t.Corners[0]);
-    const Vector v = Subtract(t.Corners[2], t.Corners[0]);
-    const Vector normal = isSmall ? Cross(u, v) : MakeLongNormal(t.Corners);
-    t.TwiceArea = Norm(normal);
-    t.Normal = t.TwiceArea > 0.0 ? Scale(normal, 1.0 / t.TwiceArea) : Vector{ 0.0, 0.0, 0.0 };
-    t.Inward0 = Cross(t.Normal, u);
-    t.Inward2 = Cross(v, t.Normal);
-    this->Triangles.push_back(t);
+    this->Points.insert(this->Points.end(), points.begin(), points.end());
   }
-  this->Opposites = vtkMTHalfedgePairs::Find(this->Points);
+  if (planes == Planes::Kept)
+  {
+    std::vector<Triangle> triangles(count);
+    for (std::uint32_t t = 0; t < count; ++t)
+    {
+      this->Make(t, triangles[t]);
+    }
+    this->Triangles = std::move(triangles);
+  }
+  this->Opposites = vtkMTHalfedgePairs::Find(this->Points, mesh.Points.size());
   this->FindHalfedges(mesh.Points.size());
+}
+
+void vtkMTSurface::Make(std::uint32_t triangle, Triangle& made) const
+{
+  made.Corners = { this->GetCorner(triangle, 0), this->GetCorner(triangle, 1), this->GetCorner(triangle, 2) };
+  const Vector u = Subtract(made.Corners[1], made.Corners[0]);
+  const Vector v = Subtract(made.Corners[2], made.Corners[0]);
+  const Vector normal = this->IsSmall ? Cross(u, v) : MakeLongNormal(made.Corners);
+  made.TwiceArea = Norm(normal);
+  made.Normal = made.TwiceArea > 0.0 ? Scale(normal, 1.0 / made.TwiceArea) : Vector{ 0.0, 0.0, 0.0 };
+  made.Inward0 = Cross(made.Normal, u);
+  made.Inward2 = Cross(v, made.Normal);
 }
 
 void vtkMTSurface::FindHalfedges(std::size_t points)
 {
   this->Halfedges.assign(points, None);
   std::vector<std::uint32_t> triangles(points, 0);
-  for (std::uint32_t h = 0; h < this->Points.size(); ++h)
+  const auto count = static_cast<std::uint32_t>(this->Points.size());
+  for (std::uint32_t h = count; h > 0; --h)
   {
-    ++triangles[this->Points[h]];
-    std::uint32_t& out = this->Halfedges[this->Points[h]];
-    if (out == None || this->Opposites[h] == None)
+    const std::uint32_t p = this->Points[h - 1];
+    ++triangles[p];
+    this->Halfedges[p] = h - 1;
+  }
+  for (std::uint32_t h = 0; h < count; ++h)
+  {
+    if (this->Opposites[h] == None)
     {
-      out = h;
+      this->Halfedges[this->Points[h]] = h;
     }
   }
-  this->Hubs.resize(points);
-  for (std::size_t p = 0; p < points; ++p)
+  const std::uint32_t most = points > 0 ? *std::max_element(triangles.begin(), triangles.end()) : 0;
+  for (std::size_t p = 0; p < points && most > HubTriangles; ++p)
   {
-    this->Hubs[p] = triangles[p] > HubTriangles;
+    this->Hubs.push_back(triangles[p] > HubTriangles);
   }
 }
 
 // The nearest point of a triangle is below x or on an edge that x is outside of.
-inline vtkMTSurface::Foot vtkMTSurface::FindFoot(const Vector& x, const Triangle& t, double limit) const
+inline vtkMTSurface::Foot vtkMTSurface::FindFoot(const Vector& x, const Triangle& t, double limit)
 {
   const Vector from0 = Subtract(x, t.Corners[0]);
   const double height = Dot(from0, t.Normal);
@@ -120,8 +136,9 @@ inline vtkMTSurface::Foot vtkMTSurface::FindFoot(const Vector& x, const Triangle
 
 vtkMTSurface::Hit vtkMTSurface::Project(const Vector& x, std::uint32_t triangle) const
 {
-  const Triangle& t = this->Triangles[triangle];
-  const Foot foot = this->FindFoot(x, t, std::numeric_limits<double>::infinity());
+  Triangle made;
+  const Triangle& t = this->GetTriangle(triangle, made);
+  const Foot foot = FindFoot(x, t, std::numeric_limits<double>::infinity());
   Hit hit;
   hit.Triangle = triangle;
   hit.Distance2 = foot.Distance2;
@@ -144,7 +161,13 @@ vtkMTSurface::Hit vtkMTSurface::Project(const Vector& x, std::uint32_t triangle)
 
 double vtkMTSurface::GetDistance2(const Vector& x, std::uint32_t triangle, double limit) const
 {
-  return this->FindFoot(x, this->Triangles[triangle], limit).Distance2;
+  Triangle made;
+  return FindFoot(x, this->GetTriangle(triangle, made), limit).Distance2;
+}
+
+double vtkMTSurface::GetDistance2(const Vector& x, const Triangle& triangle, double limit)
+{
+  return FindFoot(x, triangle, limit).Distance2;
 }
 
 // All triangles of h's fan but its own; none of a hub's.

@@ -43,30 +43,64 @@ public:
     Vector Weights{ 1.0, 0.0, 0.0 }; ///< the place's barycentric coordinates
   };
 
-  /// origin, in steps, is subtracted from all points, and from those that queries ask for.
-  vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin);
+  /// A triangle with what distances from it need.
+  struct Triangle
+  {
+    std::array<Vector, 3> Corners;
+    Vector Normal; ///< unit length; zero for a degenerate triangle
+    ///@{
+    /// In the plane, at right angles to the edges from corner 0 and to corner 0, towards the triangle, as long as the
+    /// edge: the product with x - corner 0 is twice the area of the triangle of that edge and x.
+    Vector Inward0;
+    Vector Inward2;
+    ///@}
+    double TwiceArea;
+  };
 
-  std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+  /// Whether planes are computed once, where most triangles are asked for distances, or each time.
+  enum class Planes
+  {
+    Kept,
+    MadeWhenAsked
+  };
+  /// origin, in steps, is subtracted from all points, and from those that queries ask for.
+  vtkMTSurface(const vtkMTPatch& mesh, const vtkMTPoint& origin, Planes planes = Planes::Kept);
+
+  std::size_t GetNumberOfTriangles() const { return this->Points.size() / 3; }
   std::size_t GetNumberOfPoints() const { return this->Halfedges.size(); }
   /// The largest coordinate, at least 1.
   double GetExtent() const { return this->Extent; }
 
   const Vector& GetCorner(std::uint32_t triangle, int corner) const
   {
-    return this->Triangles[triangle].Corners[corner];
+    return this->Places[this->Points[3 * triangle + static_cast<std::uint32_t>(corner)]];
   }
   /// Unit length; zero for a degenerate triangle.
-  const Vector& GetNormal(std::uint32_t triangle) const { return this->Triangles[triangle].Normal; }
+  Vector GetNormal(std::uint32_t triangle) const
+  {
+    Triangle made;
+    return this->GetTriangle(triangle, made).Normal;
+  }
+  /// With room for it where planes are not kept.
+  const Triangle& GetTriangle(std::uint32_t triangle, Triangle& made) const
+  {
+    if (!this->Triangles.empty())
+    {
+      return this->Triangles[triangle];
+    }
+    this->Make(triangle, made);
+    return made;
+  }
 
   static std::uint32_t Next(std::uint32_t h) { return vtkMTHalfedgePairs::Next(h); }
   static std::uint32_t Previous(std::uint32_t h) { return vtkMTHalfedgePairs::Previous(h); }
   /// The point that a half-edge starts from: its index, and its place.
   std::uint32_t GetPoint(std::uint32_t h) const { return this->Points[h]; }
-  const Vector& GetPlace(std::uint32_t h) const { return this->Triangles[h / 3].Corners[h % 3]; }
+  const Vector& GetPlace(std::uint32_t h) const { return this->Places[this->Points[h]]; }
   std::uint32_t GetOpposite(std::uint32_t h) const { return this->Opposites[h]; }
   /// A half-edge that starts from the point, one at a border where there is one; None when no triangle uses the point.
   std::uint32_t GetHalfedge(std::uint32_t point) const { return this->Halfedges[point]; }
-  bool IsHub(std::uint32_t point) const { return this->Hubs[point]; }
+  bool IsHub(std::uint32_t point) const { return !this->Hubs.empty() && this->Hubs[point]; }
   /// The half-edges that start from the same point, counter-clockwise and clockwise; None beyond a border.
   std::uint32_t TurnLeft(std::uint32_t h) const { return this->Opposites[Previous(h)]; }
   std::uint32_t TurnRight(std::uint32_t h) const
@@ -79,6 +113,7 @@ public:
   Hit Project(const Vector& x, std::uint32_t triangle) const;
   /// The squared distance alone; infinity, found early, when it is at least limit.
   double GetDistance2(const Vector& x, std::uint32_t triangle, double limit) const;
+  static double GetDistance2(const Vector& x, const Triangle& triangle, double limit);
   /// The nearest of the triangles around the point that h starts from, or what is nearer still across their edges. Of a
   /// hub it is h's own triangle.
   Hit FindAround(const Vector& x, std::uint32_t h) const;
@@ -86,18 +121,6 @@ public:
   void Descend(const Vector& x, Hit& hit) const;
 
 private:
-  struct Triangle
-  {
-    std::array<Vector, 3> Corners;
-    Vector Normal;
-    ///@{
-    /// In the plane, at right angles to the edges from corner 0 and to corner 0, towards the triangle, as long as the
-    /// edge: the product with x - corner 0 is twice the area of the triangle of that edge and x.
-    Vector Inward0;
-    Vector Inward2;
-    ///@}
-    double TwiceArea;
-  };
   struct Foot
   {
     double Distance2;
@@ -106,15 +129,18 @@ private:
   };
 
   void FindHalfedges(std::size_t points);
-  Foot FindFoot(const Vector& x, const Triangle& t, double limit) const;
+  void Make(std::uint32_t triangle, Triangle& made) const;
+  static Foot FindFoot(const Vector& x, const Triangle& t, double limit);
   void LookAround(const Vector& x, std::uint32_t h, Hit& hit) const;
 
-  std::vector<Triangle> Triangles;
+  std::vector<Vector> Places;      // of points
+  std::vector<Triangle> Triangles; // none where planes are made when they are asked for
   std::vector<std::uint32_t> Points;
   std::vector<std::uint32_t> Opposites;
   std::vector<std::uint32_t> Halfedges;
   std::vector<bool> Hubs;
   double Extent = 1.0;
+  bool IsSmall = true;
 };
 
 #endif

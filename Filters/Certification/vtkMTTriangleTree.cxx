@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 using namespace vtkMTVector;
 
 namespace
 {
 constexpr std::uint32_t LeafSize = 4;
-constexpr std::uint32_t RunLength = 24;
 constexpr std::uint64_t LeastEffort = 64; // of a query, when the tree is exhausted
 
 void Include(std::array<double, 6>& box, const Vector& x)
@@ -51,41 +51,28 @@ double Distance2ToBox(const std::array<double, 6>& box, const Vector& x)
 
 void vtkMTTriangleTree::MakeRuns()
 {
-  const auto count = static_cast<std::uint32_t>(this->Surface.GetNumberOfTriangles());
-  this->Runs.reserve(count / RunLength + 1);
-  for (std::uint32_t begin = 0; begin < count; begin += RunLength)
+  std::vector<vtkMTBoxRuns::Box> boxes(this->Surface.GetNumberOfTriangles());
+  for (std::uint32_t t = 0; t < boxes.size(); ++t)
   {
-    Vector low = this->Surface.GetCorner(begin, 0);
-    Vector high = low;
-    for (std::uint32_t t = begin; t < std::min(begin + RunLength, count); ++t)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        const Vector& x = this->Surface.GetCorner(t, c);
-        for (int i = 0; i < 3; ++i)
-        {
-          low[i] = std::min(low[i], x[i]);
-          high[i] = std::max(high[i], x[i]);
-        }
-      }
-    }
-    this->Runs.push_back({ low[0], high[0], low[1], high[1], low[2], high[2] });
+    boxes[t] = vtkMTBoxRuns::GetBox(this->Surface, t, 0.0);
   }
+  this->Runs.emplace(std::move(boxes));
 }
 
 void vtkMTTriangleTree::LookAtRuns(Query& query) const
 {
-  const auto count = static_cast<std::uint32_t>(this->Surface.GetNumberOfTriangles());
-  for (std::uint32_t run = 0; run < this->Runs.size(); ++run)
+  if (this->Surface.GetNumberOfTriangles() > 0)
   {
-    if (Distance2ToBox(this->Runs[run], query.Place) < query.Best2)
-    {
-      for (std::uint32_t t = run * RunLength; t < std::min((run + 1) * RunLength, count); ++t)
-      {
-        this->Look(query, t);
-      }
-    }
+    this->Look(query, this->Runs->FindNear(query.Place));
   }
+  constexpr double less = 1.0 - 1e-12; // for rounding
+  this->Runs->HasTouched([&](const vtkMTBoxRuns::Box& box)
+    { return less * vtkMTBoxRuns::GetDistance2(box, query.Place) < query.Best2; },
+    [&](std::uint32_t t)
+    {
+      this->Look(query, t);
+      return false;
+    });
 }
 
 void vtkMTTriangleTree::Build()
@@ -165,7 +152,7 @@ vtkMTTriangleTree::Hit vtkMTTriangleTree::Find(Query query, std::uint32_t guess)
   if (this->Queries < QueriesWithoutTree)
   {
     ++this->Queries;
-    if (this->Runs.empty())
+    if (!this->Runs)
     {
       this->MakeRuns();
     }

@@ -4,21 +4,23 @@
  * @brief nearest-triangle queries on one region's mesh
  *
  * A bounding volume hierarchy with median splits along the longest side of the centroids' box, four triangles a leaf.
- * It is made when it pays: the first queries look at the boxes of runs of triangles instead, which cost far less to
- * make and do well as neighbours are mostly near in a patch's order. A query may be given a triangle to begin with: a
- * good guess spares most of the traversal. Ties go to that triangle, else to the one that is met first.
+ * It is made when it pays: the first queries look at the boxes of runs of triangles instead (vtkMTBoxRuns), which cost
+ * far less to make and do well as neighbours are mostly near in a patch's order. A query may be given a triangle to
+ * begin with: a good guess spares most of the traversal. Ties go to that triangle, else to the one that is met first.
  *
  * Threads: a tree is asked by one thread at a time.
  */
 #ifndef vtkMTTriangleTree_h
 #define vtkMTTriangleTree_h
 
+#include "vtkMTBoxRuns.h"
 #include "vtkMTCertificationModule.h" // For export macro
 #include "vtkMTSurface.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class VTKMTCERTIFICATION_EXPORT vtkMTTriangleTree
@@ -29,7 +31,7 @@ public:
   static constexpr std::uint32_t None = vtkMTSurface::None;
 
   /// So many queries are answered without a tree.
-  static constexpr int QueriesWithoutTree = 128;
+  static constexpr int QueriesWithoutTree = 1024;
 
   static constexpr std::uint64_t Unlimited = ~std::uint64_t(0);
   /// Nodes and triangles to look at, all queries together: in proportion to the surface, and many times what surfaces
@@ -91,8 +93,8 @@ private:
   const vtkMTSurface& Surface;
   const std::uint64_t MostEffort;
   int Queries = 0;
-  std::uint64_t Effort = 0;                // of all queries together
-  std::vector<std::array<double, 6>> Runs; // boxes
+  std::uint64_t Effort = 0; // of all queries together
+  std::optional<vtkMTBoxRuns> Runs;
   std::vector<std::uint32_t> Order;
   std::vector<Node> Nodes;
 };

@@ -13,6 +13,7 @@ using namespace vtkMTVector;
 namespace
 {
 constexpr double LeastCosine = 0.9;
+constexpr double MostSine2 = 0.18; // squared, of an angle whose cosine is above that
 
 // The triangles around each point.
 class Fans
@@ -52,24 +53,31 @@ Vector Difference(const vtkMTPoint& a, const vtkMTPoint& b)
   return { static_cast<double>(a[0]) - b[0], static_cast<double>(a[1]) - b[1], static_cast<double>(a[2]) - b[2] };
 }
 
-Vector GetNormal(const vtkMTPatch& mesh, std::uint32_t triangle, std::uint32_t point, const vtkMTPoint& place)
+// Of a triangle with one corner at a place and the other two in order.
+Vector GetNormal(const vtkMTPoint& place, const vtkMTPoint& next, const vtkMTPoint& previous)
 {
-  std::array<vtkMTPoint, 3> corners;
-  const vtkMTTriangle points = mesh.GetPointsOfTriangle(triangle);
-  for (int c = 0; c < 3; ++c)
-  {
-    corners[c] = points[c] == point ? place : mesh.Points[points[c]];
-  }
-  return Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
+  return Cross(Difference(next, place), Difference(previous, place));
 }
 
+// Moving a corner adds the product of the way and the opposite edge to the normal; mostly that is too small to turn it.
 bool MayMove(const vtkMTPatch& mesh, const Fans& fans, std::uint32_t point, const vtkMTPoint& place)
 {
+  const Vector way = Difference(place, mesh.Points[point]);
+  const double way2 = Dot(way, way);
   return std::all_of(fans.Begin(point), fans.End(point),
     [&](std::uint32_t t)
     {
-      const Vector before = GetNormal(mesh, t, point, mesh.Points[point]);
-      const Vector after = GetNormal(mesh, t, point, place);
+      const vtkMTTriangle points = mesh.GetPointsOfTriangle(t);
+      const int c = points[0] == point ? 0 : (points[1] == point ? 1 : 2);
+      const vtkMTPoint& next = mesh.Points[points[c == 2 ? 0 : c + 1]];
+      const vtkMTPoint& previous = mesh.Points[points[c == 0 ? 2 : c - 1]];
+      const Vector before = GetNormal(mesh.Points[point], next, previous);
+      const Vector opposite = Difference(previous, next);
+      if (way2 * Dot(opposite, opposite) < MostSine2 * Dot(before, before))
+      {
+        return true;
+      }
+      const Vector after = GetNormal(place, next, previous);
       return Dot(before, after) >= LeastCosine * Norm(before) * Norm(after) &&
         (Norm(after) > 0.0 || !(Norm(before) > 0.0));
     });

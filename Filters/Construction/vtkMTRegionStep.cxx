@@ -216,7 +216,7 @@ bool vtkMTRegionStep::Certify(
   const vtkMTDeviation::Relation relation{ std::move(simplification.Heirs), std::move(certifiedFloor.Deviations) };
   const bool certifiesValues = context.CertifiedArrays && !context.CertifiedArrays->empty();
   const vtkMTPoint origin = GetMiddle(floor);
-  const vtkMTSurface floorSurface(floor, origin);
+  const vtkMTSurface floorSurface(floor, origin, vtkMTSurface::Planes::MadeWhenAsked);
   const vtkMTSurface fragmentSurface(mesh, origin);
   vtkMTDeviation::Findings findings;
   findings.KeepPairs = context.CertifyNormals || certifiesValues;

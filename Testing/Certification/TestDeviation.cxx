@@ -167,7 +167,7 @@ TEST(TriangleTree, NearestIsTheLeastOverAllTriangles)
   vtkMTTriangleTree tree(surface);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> coordinate(-3000.0, 15000.0);
-  for (int i = 0; i < 500; ++i)
+  for (int i = 0; i < vtkMTTriangleTree::QueriesWithoutTree + 500; ++i)
   {
     const Vector x{ coordinate(random), coordinate(random), coordinate(random) };
     double nearest = 1e300;

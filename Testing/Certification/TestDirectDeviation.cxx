@@ -2,7 +2,7 @@
 // Sums of steps that are too large, held against a finer mesh: what takes their place holds, for every point of both.
 #include "MTTestMeshes.h"
 
-#include "vtkMTBallGrid.h"
+#include "vtkMTBoxRuns.h"
 #include "vtkMTDeviation.h"
 #include "vtkMTDirectDeviation.h"
 #include "vtkMTFinerRecord.h"
@@ -18,7 +18,7 @@
 
 namespace
 {
-using Ball = vtkMTBallGrid::Ball;
+using Ball = vtkMTBoxRuns::Ball;
 using Deviations = vtkMTDirectDeviation::Deviations;
 using Random = MTTestMeshes::Random;
 using Vector = vtkMTSurface::Vector;
@@ -349,58 +349,50 @@ TEST(DirectDeviation, AnErrorOfTheFinerMeshIsAnError)
   EXPECT_EQ(error, "the disk is gone");
 }
 
-TEST(BallGrid, FindsWhatTouchesAndNothingElse)
+TEST(BoxRuns, FindWhatIsTouchedAndNothingElse)
 {
+  using Box = vtkMTBoxRuns::Box;
   std::size_t touching = 0;
-  for (const std::size_t count : { 0, 1, 7, 500 })
+  for (const std::size_t count : { 0, 1, 7, 8, 9, 500, 513 })
   {
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
     {
       Random random(seed);
-      const bool isFlat = seed % 3 == 0;
-      const auto makeBall = [&]
+      const auto makeBox = [&]
       {
         const double size = random.Uniform() < 0.03 ? 40.0 : 4.0; // a few are large
-        return Ball{ { 100.0 * random.Uniform(), 100.0 * random.Uniform(), isFlat ? 7.0 : 100.0 * random.Uniform() },
-          size * random.Uniform() };
+        const Vector low{ 100.0 * random.Uniform(), 100.0 * random.Uniform(), 100.0 * random.Uniform() };
+        return Box{ low, { low[0] + size * random.Uniform(), low[1] + size * random.Uniform(), low[2] + 3.0 } };
       };
-      std::vector<Ball> balls(count);
-      std::generate(balls.begin(), balls.end(), makeBall);
-      const vtkMTBallGrid grid(balls);
-      std::vector<std::uint32_t> found;
+      std::vector<Box> boxes(count);
+      std::generate(boxes.begin(), boxes.end(), makeBox);
+      const vtkMTBoxRuns runs(boxes);
       for (int question = 0; question < 50; ++question)
       {
-        const Ball ball = makeBall();
-        grid.Find(ball, found);
-        std::sort(found.begin(), found.end());
-        std::vector<std::uint32_t> expected;
-        for (std::uint32_t i = 0; i < count; ++i)
+        const Box box = makeBox();
+        const Ball ball{ box.Low, 10.0 * random.Uniform() };
+        const auto check = [&](const auto& touches)
         {
-          if (vtkMTBallGrid::Touch(ball, balls[i]))
+          std::vector<std::uint32_t> found;
+          runs.HasTouched(touches,
+            [&](std::uint32_t i)
+            {
+              found.push_back(i);
+              return false;
+            });
+          std::vector<std::uint32_t> expected;
+          for (std::uint32_t i = 0; i < count; ++i)
           {
-            expected.push_back(i);
+            if (touches(boxes[i]))
+            {
+              expected.push_back(i);
+            }
           }
-        }
-        ASSERT_EQ(found, expected) << count << " balls, seed " << seed;
-        const vtkMTBallGrid::Box box{ ball.Middle, { 104.0, ball.Middle[1] + 9.0, ball.Middle[2] }, ball.Radius };
-        found.clear();
-        expected.clear();
-        grid.HasTouching(box,
-          [&](std::uint32_t i)
-          {
-            found.push_back(i);
-            return false;
-          });
-        for (std::uint32_t i = 0; i < count; ++i)
-        {
-          if (vtkMTBallGrid::Touch(box, balls[i]))
-          {
-            expected.push_back(i);
-          }
-        }
-        std::sort(found.begin(), found.end());
-        ASSERT_EQ(found, expected) << count << " balls, seed " << seed << ", a box";
-        touching += expected.size();
+          EXPECT_EQ(found, expected) << count << " boxes, seed " << seed;
+          touching += expected.size();
+        };
+        check([&](const Box& other) { return vtkMTBoxRuns::Touch(box, other); });
+        check([&](const Box& other) { return vtkMTBoxRuns::Touch(other, ball); });
       }
     }
   }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTBoxRuns.h"
+
+#include <utility>
+
+//------------------------------------------------------------------------------
+vtkMTBoxRuns::vtkMTBoxRuns(std::vector<Box> boxes)
+{
+  this->Levels.push_back(std::move(boxes));
+  while (this->Levels.back().size() > Length)
+  {
+    const std::vector<Box>& below = this->Levels.back();
+    std::vector<Box> runs((below.size() + Length - 1) / Length);
+    for (std::size_t run = 0; run < runs.size(); ++run)
+    {
+      Box whole = below[Length * run];
+      for (std::size_t i = Length * run + 1; i < std::min(Length * (run + 1), below.size()); ++i)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          whole.Low[c] = std::min(whole.Low[c], below[i].Low[c]);
+          whole.High[c] = std::max(whole.High[c], below[i].High[c]);
+        }
+      }
+      runs[run] = whole;
+    }
+    this->Levels.push_back(std::move(runs));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t vtkMTBoxRuns::FindNear(const Vector& x) const
+{
+  std::size_t nearest = 0;
+  for (std::size_t level = this->Levels.size(); level > 0; --level)
+  {
+    const std::vector<Box>& boxes = this->Levels[level - 1];
+    const std::size_t begin = level == this->Levels.size() ? 0 : Length * nearest;
+    const std::size_t end = level == this->Levels.size() ? boxes.size() : std::min(begin + Length, boxes.size());
+    double least = GetDistance2(boxes[begin], x);
+    nearest = begin;
+    for (std::size_t i = begin + 1; i < end; ++i)
+    {
+      const double distance2 = GetDistance2(boxes[i], x);
+      if (distance2 < least)
+      {
+        least = distance2;
+        nearest = i;
+      }
+    }
+  }
+  return static_cast<std::uint32_t>(nearest);
+}
+
+//------------------------------------------------------------------------------
+vtkMTBoxRuns::Box vtkMTBoxRuns::GetBox(const vtkMTSurface& surface, std::uint32_t triangle, double wider)
+{
+  const Vector& a = surface.GetCorner(triangle, 0);
+  const Vector& b = surface.GetCorner(triangle, 1);
+  const Vector& c = surface.GetCorner(triangle, 2);
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    box.Low[i] = std::min(std::min(a[i], b[i]), c[i]) - wider;
+    box.High[i] = std::max(std::max(a[i], b[i]), c[i]) + wider;
+  }
+  return box;
+}
