@@ -205,8 +205,13 @@ std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint3
   {
     largest = std::max(largest, corner);
   }
+  return vtkMTHalfedgePairs::Find(corners, largest + std::size_t(1));
+}
+
+std::vector<std::uint32_t> vtkMTHalfedgePairs::Find(const std::vector<std::uint32_t>& corners, std::size_t points)
+{
   std::vector<std::uint32_t> opposites(corners.size());
-  const Found found = FindByChains<true>(corners, largest + std::size_t(1), opposites.data());
+  const Found found = FindByChains<true>(corners, points, opposites.data());
   if (found == Found::NotAll)
   {
     FindBySorting(corners, opposites.data());

@@ -16,6 +16,7 @@
 #include "vtkMTCoreModule.h" // For export macro
 #include "vtkMTPatch.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct VTKMTCORE_EXPORT vtkMTHalfedgePairs
   /// corners: the point of each corner, three for each triangle. Gives the opposite of each half-edge, None where it
   /// has none.
   static std::vector<std::uint32_t> Find(const std::vector<std::uint32_t>& corners);
+  /// The same of points below a number.
+  static std::vector<std::uint32_t> Find(const std::vector<std::uint32_t>& corners, std::size_t points);
 
   explicit vtkMTHalfedgePairs(const vtkMTPatch& mesh);
   /// Of triangles of so many points, as corners.
