@@ -53,8 +53,10 @@ MT_FOR_WIDE_PROCESSORS void Encode(Normals& normals, float half, int bits)
     const float fold = 0.5f * (std::abs(z) - z);
     x += std::copysign(fold, x);
     y += std::copysign(fold, y);
+    // NOLINTBEGIN(bugprone-incorrect-roundings): small numbers, none below 0
     const auto first = static_cast<std::int32_t>(half * x + half + 0.5f);
     const auto second = static_cast<std::int32_t>(half * y + half + 0.5f);
+    // NOLINTEND(bugprone-incorrect-roundings)
     normals.Codes[i] = static_cast<std::uint32_t>(first) | static_cast<std::uint32_t>(second) << bits;
   }
 }

@@ -74,7 +74,7 @@ TEST_F(CommandLine, WrongUsageHasExitCode2AndAMessage)
     { "info", "--depth", "3", "x.bmt" },
     { "build", "x.ply" },
     { "build", "x.ply", "-o", "x.bmt", "--simplifier", "none" },
-    { "build", "x.ply", "-o", "x.bmt", "--partition", "kd" },
+    { "build", "x.ply", "-o", "x.bmt", "--partition", "bsp" },
     { "build", "x.ply", "-o", "x.bmt", "--threads", "many" },
     { "build", "x.ply", "-o", "x.bmt", "--patch-triangles", "0" },
     { "generate", "cube", "--triangles", "10", "-o", "x.ply" },
