@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTMadeNormals.h"
 
+#include "Processor/vtkMTWideProcessors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-
-// Made twice, and the processor's own is taken when the program starts: with instructions for four doubles or eight
-// floats at a time the results are the same to the last bit, as nothing is contracted.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MT_FOR_WIDE_PROCESSORS __attribute__((target_clones("avx2", "default")))
-#else
-#define MT_FOR_WIDE_PROCESSORS
-#endif
 
 namespace
 {

@@ -9,13 +9,9 @@
 #ifndef vtkMTWide_h
 #define vtkMTWide_h
 
-#include <cstdint>
+#include "Processor/vtkMTWideProcessors.h"
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MT_FOR_WIDE_PROCESSORS __attribute__((target_clones("avx2", "default")))
-#else
-#define MT_FOR_WIDE_PROCESSORS
-#endif
+#include <cstdint>
 
 // Lanes of two vectors, of which the second one's are counted from 4.
 #if defined(__clang__) || __GNUC__ >= 12

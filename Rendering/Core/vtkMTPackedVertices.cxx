@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPackedVertices.h"
 
+#include "Processor/vtkMTWideProcessors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 #include <limits>
-
-// The loops over a block are compiled for wide vectors too, and give the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MT_FOR_WIDE_PROCESSORS __attribute__((target_clones("avx2", "default")))
-#else
-#define MT_FOR_WIDE_PROCESSORS
-#endif
 
 namespace
 {
