@@ -19,6 +19,8 @@ bool vtkMTSimplifyStep::Run()
   {
     return false;
   }
+  // Workers look nodes of finer levels up while this thread adds new ones, so these must stay where they are.
+  state.Nodes.reserve(state.Nodes.size() + state.NextRegions);
   const bool done = this->ForAll(
     state.Patches.GetRecords(), state.NextRegions, { this->Options.WorkMemory, this->Options.MemoryPerByteSimplified },
     [&](std::size_t region, std::size_t slot, std::string& error)
