@@ -1,53 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchSplitter.h"
 
+#include "Tuples/vtkMTTuples.h"
 #include "vtkMTBorderOrder.h"
 #include "vtkMTRadixSort.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace
 {
-// Of a size that is known when it is compiled: a copy is one or two instructions then.
-template <std::size_t Size>
-void GatherTuples(const unsigned char* from, const std::vector<std::uint32_t>& tuples, unsigned char* to)
-{
-  for (const std::uint32_t tuple : tuples)
-  {
-    std::memcpy(to, from + tuple * Size, Size);
-    to += Size;
-  }
-}
-
-vtkMTColumn Gather(const vtkMTColumn& column, std::size_t tupleSize, const std::vector<std::uint32_t>& tuples)
-{
-  vtkMTColumn result(column.empty() ? 0 : tuples.size() * tupleSize);
-  if (result.empty())
-  {
-    return result;
-  }
-  switch (tupleSize)
-  {
-    case 4:
-      GatherTuples<4>(column.data(), tuples, result.data());
-      break;
-    case 8:
-      GatherTuples<8>(column.data(), tuples, result.data());
-      break;
-    case 12:
-      GatherTuples<12>(column.data(), tuples, result.data());
-      break;
-    default:
-      for (std::size_t i = 0; i < tuples.size(); ++i)
-      {
-        std::memcpy(result.data() + i * tupleSize, column.data() + tuples[i] * tupleSize, tupleSize);
-      }
-  }
-  return result;
-}
-
 std::vector<vtkMTColumn> GatherAll(const std::vector<vtkMTColumn>& columns, const std::vector<std::size_t>& tupleSizes,
   const std::vector<std::uint32_t>& tuples)
 {
@@ -55,7 +17,7 @@ std::vector<vtkMTColumn> GatherAll(const std::vector<vtkMTColumn>& columns, cons
   result.reserve(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
-    result.push_back(Gather(columns[i], tupleSizes[i], tuples));
+    result.push_back(vtkMTTuples::Gather(columns[i], tupleSizes[i], tuples));
   }
   return result;
 }

@@ -1,50 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTPatchOrder.h"
 
+#include "Tuples/vtkMTTuples.h"
 #include "vtkMTFill.h"
 #include "vtkMTTriangleCodec.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace
 {
 constexpr std::uint32_t None = ~std::uint32_t(0);
 
-template <std::size_t Size>
-void PermuteTuples(const unsigned char* values, const std::vector<std::uint32_t>& from, unsigned char* result)
-{
-  for (std::size_t i = 0; i < from.size(); ++i)
-  {
-    std::memcpy(result + i * Size, values + from[i] * Size, Size);
-  }
-}
-
 vtkMTColumn Permute(const vtkMTColumn& column, const std::vector<std::uint32_t>& from)
 {
-  vtkMTColumn result(column.size());
-  const std::size_t size = from.empty() ? 0 : column.size() / from.size();
-  switch (size)
-  {
-    case 0:
-      break;
-    case 4:
-      PermuteTuples<4>(column.data(), from, result.data());
-      break;
-    case 8:
-      PermuteTuples<8>(column.data(), from, result.data());
-      break;
-    case 12:
-      PermuteTuples<12>(column.data(), from, result.data());
-      break;
-    default:
-      for (std::size_t i = 0; i < from.size(); ++i)
-      {
-        std::memcpy(result.data() + i * size, column.data() + from[i] * size, size);
-      }
-  }
-  return result;
+  return vtkMTTuples::Gather(column, from.empty() ? 0 : column.size() / from.size(), from);
 }
 
 // Numbers `count` things as they are first met, those that are not met last.
