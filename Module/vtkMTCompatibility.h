@@ -8,17 +8,32 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersion.h"
 
-/// Whether the algorithm was asked to stop, by AbortExecute or by an interrupt.
+/// Whether the algorithm was asked to stop, by AbortExecute or by an interrupt. Older pipelines take AbortExecute back
+/// before the next execution; in newer ones the user does, so that an interrupt must not set it there.
 inline bool vtkMTIsAborted(vtkAlgorithm* algorithm)
 {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
+  if (vtkMTLongWork::IsInterrupted())
+  {
+    algorithm->SetAbortOutput(true);
+    return true;
+  }
+  return algorithm->CheckAbort();
+#else
   if (vtkMTLongWork::IsInterrupted())
   {
     algorithm->AbortExecuteOn();
   }
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
-  return algorithm->CheckAbort();
-#else
   return algorithm->GetAbortExecute() != 0;
+#endif
+}
+
+/// Work that is asked for anew, outside of a pipeline's execution, knows nothing of an abort of before.
+inline void vtkMTForgetAbort(vtkAlgorithm* algorithm)
+{
+  algorithm->AbortExecuteOff();
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220816)
+  algorithm->SetAbortOutput(false);
 #endif
 }
 

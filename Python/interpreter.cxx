@@ -3,8 +3,9 @@
 // toolkit's filters release it while they work, and end their work when the user presses Ctrl-C.
 //
 // Meanwhile SIGINT is noted here instead of in Python, so that it ends the work and not an observer that happens to
-// run: VTK leaves the process when an observer is interrupted. It is handed to Python when the work is over, which then
-// raises KeyboardInterrupt where the method was called. Handlers other than Python's own are left alone.
+// run: VTK leaves the process when an observer is interrupted. It is handed to Python when the work is over and no
+// observer runs any more (newer pipelines report the end of what was ended), which then raises KeyboardInterrupt where
+// the method was called. Handlers other than Python's own are left alone.
 #include "vtkPython.h"
 
 #include "Interpreter/vtkMTLongWork.h"
@@ -26,6 +27,7 @@ void NoteInterrupt(int /*signal*/)
 struct State
 {
   PyThreadState* Thread = nullptr;
+  PyFrameObject* Caller = nullptr; // of the method that works
   bool HandlesInterrupts = false;
   struct sigaction Before = {};
 };
@@ -48,6 +50,36 @@ bool HasPythonsHandler()
   return same;
 }
 
+// Whether the Python code that runs was called while a frame waits: by an observer of what that frame has called.
+bool RunsBelow(const PyFrameObject* frame)
+{
+  PyFrameObject* above = PyEval_GetFrame();
+  Py_XINCREF(above);
+  bool isBelow = false;
+  while (above && !isBelow)
+  {
+    PyFrameObject* next = PyFrame_GetBack(above);
+    Py_DECREF(above);
+    above = next;
+    isBelow = above == frame;
+  }
+  Py_XDECREF(above);
+  return isBelow;
+}
+
+// Called by Python before it goes on with any code.
+int HandOn(void* pointer)
+{
+  auto* caller = static_cast<PyFrameObject*>(pointer);
+  if (caller && RunsBelow(caller) && Py_AddPendingCall(&HandOn, caller) == 0)
+  {
+    return 0;
+  }
+  Py_XDECREF(caller);
+  PyErr_SetInterrupt();
+  return 0;
+}
+
 void* Release()
 {
   if (!Py_IsInitialized() || !PyGILState_Check())
@@ -63,6 +95,8 @@ void* Release()
     Interrupted = 0;
     state->HandlesInterrupts = sigaction(SIGINT, &noting, &state->Before) == 0;
     HandlesInterrupts = state->HandlesInterrupts;
+    state->Caller = PyEval_GetFrame();
+    Py_XINCREF(state->Caller);
   }
   state->Thread = PyEval_SaveThread();
   return state;
@@ -76,11 +110,16 @@ void Acquire(void* pointer)
   {
     HandlesInterrupts = false;
     sigaction(SIGINT, &state->Before, nullptr);
-    if (Interrupted)
+    if (Interrupted && Py_AddPendingCall(&HandOn, state->Caller) == 0)
+    {
+      state->Caller = nullptr; // it is HandOn's
+    }
+    else if (Interrupted)
     {
       PyErr_SetInterrupt();
     }
   }
+  Py_XDECREF(state->Caller);
   delete state;
 }
 

@@ -143,6 +143,7 @@ void vtkMultiTriangulationFileBuilder::OnWarning(vtkObject*, unsigned long event
 // The build
 int vtkMultiTriangulationFileBuilder::Write()
 {
+  vtkMTForgetAbort(this);
   this->Modified();
   this->Update();
   return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
@@ -384,7 +385,7 @@ bool vtkMultiTriangulationFileBuilder::WriteFile(
   vtkMTFileSink sink(
     this->OutputFileName, static_cast<vtkMTFileSink::CompressionType>(this->Compression), workspace.GetStore());
   vtkMTModelSink model(sink, this->Report->Input, this->Implementation->Identity);
-  builder->AbortExecuteOff();
+  vtkMTForgetAbort(builder);
   if (builder->Build(input, model))
   {
     return true;

@@ -105,7 +105,7 @@ void vtkMultiTriangulationMapper::ProcessSelectorPixelBuffers(
   std::string error;
   if (pass == lowPass)
   {
-    this->AbortExecuteOff();
+    vtkMTForgetAbort(this);
     ids.Find(
       pixelOffsets, pictures,
       [this](double fraction)

@@ -38,7 +38,12 @@ protected:
     if (event == vtkCommand::ProgressEvent)
     {
       vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller);
-      events.Fractions.push_back(*static_cast<double*>(data));
+      const double fraction = *static_cast<double*>(data);
+      if (fraction == 1.0 && algorithm->GetAbortExecute())
+      {
+        return; // newer pipelines report the end of what was aborted as well
+      }
+      events.Fractions.push_back(fraction);
       events.Texts.emplace_back(algorithm->GetProgressText() ? algorithm->GetProgressText() : "");
       if (events.AbortWhen())
       {
