@@ -40,10 +40,12 @@ representation.ClipOrigin = [0.0, 0.0, 0.2]
 representation.ClipNormal = [0.0, 0.3, -1.0]
 draw("Clipped")
 representation.ClipModel = 0
-representation.Position = [0.3, 0.2, -0.1]
+# What ParaView 5.13 calls Translation.
+place = "Translation" if "Translation" in representation.ListProperties() else "Position"
+setattr(representation, place, [0.3, 0.2, -0.1])
 representation.Orientation = [10.0, 20.0, 30.0]
 draw("Moved")
-representation.Position = [0.0, 0.0, 0.0]
+setattr(representation, place, [0.0, 0.0, 0.0])
 representation.Orientation = [0.0, 0.0, 0.0]
 representation.Opacity = 1.0
 draw("Opaque")
