@@ -4,15 +4,15 @@
 #include "vtkMTCut.h"
 #include "vtkMTGraph.h"
 #include "vtkMTPatchSource.h"
-#include "vtkMTSurfaceSampler.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 
 namespace
 {
+constexpr std::size_t SamplesPerClimber = 400; // about, and at least one of each node
+
 vtkMTMeasuringFrame MakeFrame(const vtkMTGraph& graph, const vtkMTSampledSurface& input)
 {
   vtkMTRealBounds bounds = input.GetBounds();
@@ -68,17 +68,12 @@ vtkMTErrorSampling::vtkMTErrorSampling(
   }
   this->Input.Transform(this->Frame);
   this->InputSearch = std::make_unique<vtkMTClosestPoint>(this->Input);
-  this->InputPoints = this->Input.GetUsedPoints();
-  const vtkMTSurfaceSampler::Samples extra =
-    vtkMTSurfaceSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
+  this->InputVertices = this->Input.GetUsedPoints();
+  this->InputSamples = vtkMTSurfaceSampler(this->Input, this->Samples, this->Seed).Take(0, this->Samples);
   if (!this->Input.Slack.empty())
   {
     this->LargestSlack = *std::max_element(this->Input.Slack.begin(), this->Input.Slack.end());
-    this->InputSlack.assign(this->InputPoints.size(), 0.0); // vertices are on every triangulation
-    std::transform(extra.Triangles.begin(), extra.Triangles.end(), std::back_inserter(this->InputSlack),
-      [this](std::uint32_t triangle) { return this->Input.Slack[triangle]; });
   }
-  this->InputPoints.insert(this->InputPoints.end(), extra.Points.begin(), extra.Points.end());
 }
 
 vtkMTErrorSampling::~vtkMTErrorSampling() = default;
@@ -134,40 +129,59 @@ void vtkMTErrorSampling::CountNode(std::uint32_t node, double distance)
   this->NodeDistances[node] = std::max(this->NodeDistances[node], distance);
 }
 
+void vtkMTErrorSampling::TestPlaceOfPatch(
+  std::uint32_t arc, const vtkMTFarthestPlaces::Place& place, const std::string& name)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const double distance = this->Frame.ToModel(place.Distance);
+  this->CountNode(graph.Arcs[arc].To, distance);
+  const double error = graph.GetDistanceToInput(arc) + this->Frame.ToModel(this->LargestSlack);
+  const bool isGood = distance <= error + this->GetTolerance();
+  this->Compare(this->PatchToInput, distance, error,
+    isGood ? std::string()
+           : Describe(this->Frame.ToModelPoint(place.Point), "patch " + std::to_string(arc) + ", " + name));
+}
+
 bool vtkMTErrorSampling::TestPatches(
   const CutSurface& cut, std::uint32_t level, const vtkMTVerificationProgress& progress)
 {
-  const vtkMTGraph& graph = this->Source.GetGraph();
   const std::string name = "patches of level " + std::to_string(level);
-  std::vector<double> distances;
-  const auto test = [&](const std::vector<vtkMTRealPoint>& points, const std::vector<std::uint32_t>& owner,
-                      const std::vector<std::uint32_t>* triangles, double before)
-  {
-    const auto advance = [&](double share) { return progress(name + " to input", before + 0.5 * share); };
-    if (!this->InputSearch->Measure(points, distances, nullptr, advance))
-    {
-      return false;
-    }
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const std::uint32_t arc = owner[triangles ? (*triangles)[i] : i];
-      const double distance = this->Frame.ToModel(distances[i]);
-      this->CountNode(graph.Arcs[arc].To, distance);
-      const double error = graph.GetDistanceToInput(arc) + this->Frame.ToModel(this->LargestSlack);
-      const bool isGood = distance <= error + this->GetTolerance();
-      this->Compare(this->PatchToInput, distance, error,
-        isGood ? std::string()
-               : Describe(this->Frame.ToModelPoint(points[i]), "patch " + std::to_string(arc) + ", " + name));
-    }
-    return true;
-  };
-  if (!test(cut.Surface.Points, cut.PointArcs, nullptr, 0.0))
+  const vtkMTFarthestPlaces search(cut.Surface, *this->InputSearch);
+  double done = 0.0;
+  const auto advance = [&](double share) { return progress(name + " to input", done + share / 3.0); };
+  Places places;
+  if (!search.Measure(cut.Surface.Points, {}, places, advance))
   {
     return false;
   }
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    this->TestPlaceOfPatch(cut.PointArcs[p], places[p], name);
+  }
+  done = 1.0 / 3.0;
   const vtkMTSurfaceSampler::Samples samples =
     vtkMTSurfaceSampler(cut.Surface, this->Samples, this->Seed + level + 1).Take(0, this->Samples);
-  return test(samples.Points, cut.TriangleArcs, &samples.Triangles, 0.5);
+  const auto getArc = [&](const vtkMTFarthestPlaces::Place& place) { return cut.TriangleArcs[place.Triangle]; };
+  const auto getNode = [&](const vtkMTFarthestPlaces::Place& place)
+  { return this->Source.GetGraph().Arcs[getArc(place)].To; };
+  Places climbed;
+  if (!search.Measure(samples.Points, samples.Triangles, places, advance))
+  {
+    return false;
+  }
+  done = 2.0 / 3.0;
+  if (!search.Climb(places, getNode, places.size() / SamplesPerClimber, climbed, advance))
+  {
+    return false;
+  }
+  for (const Places* each : { &places, &climbed })
+  {
+    for (const vtkMTFarthestPlaces::Place& place : *each)
+    {
+      this->TestPlaceOfPatch(getArc(place), place, name);
+    }
+  }
+  return true;
 }
 
 // Whether one of the patches within whose own distance a point is stands for it.
@@ -188,37 +202,63 @@ bool vtkMTErrorSampling::IsStoodFor(const CutSurface& cut, const vtkMTClosestPoi
   return isStoodFor;
 }
 
+void vtkMTErrorSampling::TestPlaceOfInput(const CutTest& test, const vtkMTFarthestPlaces::Place& place)
+{
+  const vtkMTGraph& graph = this->Source.GetGraph();
+  const double distance = this->Frame.ToModel(place.Distance);
+  const bool hasNearest = place.Nearest != vtkMTClosestPoint::NoTriangle;
+  const std::uint32_t nearest = hasNearest ? test.Cut.TriangleArcs[place.Nearest] : 0;
+  if (test.CountsNodes && hasNearest)
+  {
+    this->CountNode(graph.Arcs[nearest].To, distance);
+  }
+  const bool hasSlack = !this->Input.Slack.empty() && place.Triangle != vtkMTClosestPoint::NoTriangle;
+  const double slack = hasSlack ? this->Frame.ToModel(this->Input.Slack[place.Triangle]) : 0.0;
+  const double allowance = slack + this->GetTolerance();
+  const bool isGood = distance <= test.Error + allowance;
+  this->Compare(this->InputToCut, distance, test.Error + slack,
+    isGood ? std::string() : Describe(this->Frame.ToModelPoint(place.Point), test.Name));
+  if (isGood && hasNearest && distance > graph.GetDistanceFromInput(nearest) + allowance &&
+    !this->IsStoodFor(test.Cut, test.Search, place.Point, test.Error + allowance, allowance))
+  {
+    this->InputToCut.Fail(Describe(this->Frame.ToModelPoint(place.Point), test.Name) +
+      ": no patch is within its own distance of the input");
+  }
+}
+
 bool vtkMTErrorSampling::TestInput(const CutSurface& cut, const std::vector<std::uint32_t>& arcs,
   const std::string& name, bool countNodes, const vtkMTVerificationProgress& progress)
 {
   const vtkMTGraph& graph = this->Source.GetGraph();
-  const double error = GetLargestFromInput(graph, arcs);
-  const vtkMTClosestPoint search(cut.Surface);
-  std::vector<double> distances;
-  std::vector<std::uint32_t> nearest;
-  const auto advance = [&](double share) { return progress("input to " + name, share); };
-  if (!search.Measure(this->InputPoints, distances, &nearest, advance))
+  const vtkMTClosestPoint places(cut.Surface);
+  const CutTest test{ cut, places, name, GetLargestFromInput(graph, arcs), countNodes };
+  const vtkMTFarthestPlaces search(this->Input, places);
+  const auto getNode = [&](const vtkMTFarthestPlaces::Place& place)
+  { return graph.Arcs[cut.TriangleArcs[place.Nearest]].To; };
+  double done = 0.0;
+  const auto advance = [&](double share) { return progress("input to " + name, done + share / 3.0); };
+  Places vertices;
+  Places samples;
+  Places climbed;
+  if (!search.Measure(this->InputVertices, {}, vertices, advance))
   {
     return false;
   }
-  for (std::size_t i = 0; i < distances.size(); ++i)
+  done = 1.0 / 3.0;
+  if (!search.Measure(this->InputSamples.Points, this->InputSamples.Triangles, samples, advance))
   {
-    const double distance = this->Frame.ToModel(distances[i]);
-    if (countNodes && nearest[i] != vtkMTClosestPoint::NoTriangle)
+    return false;
+  }
+  done = 2.0 / 3.0;
+  if (!search.Climb(samples, getNode, samples.size() / SamplesPerClimber, climbed, advance))
+  {
+    return false;
+  }
+  for (const Places* each : { &vertices, &samples, &climbed })
+  {
+    for (const vtkMTFarthestPlaces::Place& place : *each)
     {
-      this->CountNode(graph.Arcs[cut.TriangleArcs[nearest[i]]].To, distance);
-    }
-    const double slack = this->InputSlack.empty() ? 0.0 : this->Frame.ToModel(this->InputSlack[i]);
-    const double allowance = slack + this->GetTolerance();
-    const bool isGood = distance <= error + allowance;
-    this->Compare(this->InputToCut, distance, error + slack,
-      isGood ? std::string() : Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name));
-    if (isGood && nearest[i] != vtkMTClosestPoint::NoTriangle &&
-      distance > graph.GetDistanceFromInput(cut.TriangleArcs[nearest[i]]) + allowance &&
-      !this->IsStoodFor(cut, search, this->InputPoints[i], error + allowance, allowance))
-    {
-      this->InputToCut.Fail(Describe(this->Frame.ToModelPoint(this->InputPoints[i]), name) +
-        ": no patch is within its own distance of the input");
+      this->TestPlaceOfInput(test, place);
     }
   }
   ++this->Cuts;

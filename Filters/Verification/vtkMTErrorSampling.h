@@ -6,9 +6,10 @@
  * (a) Every point of a patch is within the patch's own distance of the input surface: tested for all vertices and for
  * area-weighted samples of the patches of every level. (b) Every point of the input is no farther from a cut than the
  * largest distance of its patches for that direction: tested for all vertices and for area-weighted samples of the
- * input, against the coarsest cut, one cut for every level, and random ones; and where a point is farther from the
- * nearest patch than that one's own distance, there must be another patch within whose distance it is, which stands for
- * it. Where a model has no distances of its patches the errors of their nodes take their place.
+ * input, against the coarsest cut, one cut for every level, and random ones. From the samples of a node that are
+ * farthest away the search climbs to places that are farther. And where a point is farther from the nearest patch than
+ * that one's own distance, there must be another patch within whose distance it is, which stands for it. Where a model
+ * has no distances of its patches the errors of their nodes take their place.
  *
  * Independent of the builder: own sampling, own closest point search, own reading of errors from the graph. Input
  * triangles that are no surface (a corner that is not finite, an index out of range, two corners at one place) are
@@ -20,7 +21,9 @@
 #define vtkMTErrorSampling_h
 
 #include "vtkMTClosestPoint.h"
+#include "vtkMTFarthestPlaces.h"
 #include "vtkMTSampledSurface.h"
+#include "vtkMTSurfaceSampler.h"
 #include "vtkMTVerificationCheck.h"
 
 #include <cstddef>
@@ -87,6 +90,17 @@ private:
   bool TestPatches(const CutSurface& cut, std::uint32_t level, const vtkMTVerificationProgress& progress);
   bool TestInput(const CutSurface& cut, const std::vector<std::uint32_t>& arcs, const std::string& name,
     bool countNodes, const vtkMTVerificationProgress& progress);
+  using Places = vtkMTFarthestPlaces::Places;
+  void TestPlaceOfPatch(std::uint32_t arc, const vtkMTFarthestPlaces::Place& place, const std::string& name);
+  struct CutTest
+  {
+    const CutSurface& Cut;
+    const vtkMTClosestPoint& Search;
+    const std::string& Name;
+    double Error; // the largest of its patches
+    bool CountsNodes;
+  };
+  void TestPlaceOfInput(const CutTest& test, const vtkMTFarthestPlaces::Place& place);
   bool IsStoodFor(const CutSurface& cut, const vtkMTClosestPoint& search, const vtkMTRealPoint& point, double radius,
     double allowance) const;
   void Compare(vtkMTVerificationCheck& check, double distance, double error, const std::string& where);
@@ -98,10 +112,10 @@ private:
   std::size_t Samples;
   std::uint64_t Seed;
   std::unique_ptr<vtkMTClosestPoint> InputSearch;
-  std::vector<vtkMTRealPoint> InputPoints; // vertices, then samples
-  std::vector<double> InputSlack;          // of each of them, local units; empty: none has any
-  double LargestSlack = 0.0;               // local units
-  std::vector<double> NodeDistances;       // largest sampled, model units; negative where nothing was sampled
+  std::vector<vtkMTRealPoint> InputVertices;
+  vtkMTSurfaceSampler::Samples InputSamples;
+  double LargestSlack = 0.0;         // local units
+  std::vector<double> NodeDistances; // largest sampled, model units; negative where nothing was sampled
   vtkMTVerificationCheck PatchToInput;
   vtkMTVerificationCheck InputToCut;
   std::uint64_t Cuts = 0;

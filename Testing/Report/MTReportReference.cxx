@@ -4,6 +4,7 @@
 #include "MTReportTimes.h"
 
 #include "vtkMTClosestPoint.h"
+#include "vtkMTFarthestPlaces.h"
 #include "vtkMTPolyDataStream.h"
 #include "vtkMTSurfaceSampler.h"
 
@@ -71,22 +72,30 @@ public:
   void Measure(std::size_t count)
   {
     const auto goOn = [](double) { return true; };
+    const vtkMTFarthestPlaces search(this->From, this->Places);
     const vtkMTSurfaceSampler sampler(this->From, count, Seed);
     const vtkMTSurfaceSampler::Samples samples = sampler.Take(0, sampler.GetNumberOfSamples());
-    std::vector<double> distances;
-    std::vector<std::uint32_t> nearest;
-    this->Places.Measure(samples.Points, distances, &nearest, goOn);
+    vtkMTFarthestPlaces::Places places;
+    search.Measure(samples.Points, samples.Triangles, places, goOn);
     double squares = 0.0;
-    for (std::size_t i = 0; i < distances.size(); ++i)
+    for (const vtkMTFarthestPlaces::Place& place : places)
     {
-      squares += distances[i] * distances[i];
-      this->Angles.push_back(GetAngle(GetNormal(this->From, samples.Triangles[i]), GetNormal(this->To, nearest[i])));
+      squares += place.Distance * place.Distance;
+      this->Angles.push_back(GetAngle(GetNormal(this->From, place.Triangle), GetNormal(this->To, place.Nearest)));
     }
-    this->MeanSquare = distances.empty() ? 0.0 : squares / static_cast<double>(distances.size());
-    std::vector<double> ofVertices;
-    this->Places.Measure(this->From.GetUsedPoints(), ofVertices, nullptr, goOn);
-    this->Maximum = ofVertices.empty() ? 0.0 : *std::max_element(ofVertices.begin(), ofVertices.end());
-    this->ClimbFrom(samples, distances);
+    this->MeanSquare = places.empty() ? 0.0 : squares / static_cast<double>(places.size());
+    vtkMTFarthestPlaces::Places vertices;
+    search.Measure(this->From.GetUsedPoints(), {}, vertices, goOn);
+    vtkMTFarthestPlaces::Places climbed;
+    search.Climb(
+      places, [](const vtkMTFarthestPlaces::Place&) { return 0; }, Climbers, climbed, goOn);
+    for (const vtkMTFarthestPlaces::Places* each : { &vertices, &climbed })
+    {
+      for (const vtkMTFarthestPlaces::Place& place : *each)
+      {
+        this->Maximum = std::max(this->Maximum, place.Distance);
+      }
+    }
   }
 
   double MeanSquare = 0.0;
@@ -94,47 +103,6 @@ public:
   std::vector<double> Angles;
 
 private:
-  void ClimbFrom(const vtkMTSurfaceSampler::Samples& samples, const std::vector<double>& distances)
-  {
-    std::vector<std::size_t> order(distances.size());
-    std::iota(order.begin(), order.end(), 0);
-    const std::size_t count = std::min(Climbers, order.size());
-    const auto isFarther = [&](std::size_t a, std::size_t b)
-    { return distances[a] > distances[b] || (distances[a] == distances[b] && a < b); };
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), isFarther);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->Maximum = std::max(
-        this->Maximum, this->Climb(samples.Triangles[order[i]], samples.Points[order[i]], distances[order[i]]));
-    }
-  }
-
-  // Steps towards and away from the triangle's corners, shorter ones when none of them leads higher.
-  double Climb(std::uint32_t triangle, vtkMTRealPoint place, double distance) const
-  {
-    for (double step = 0.5; step > 1e-3;)
-    {
-      bool isHigher = false;
-      for (const std::uint32_t corner : this->From.Triangles[triangle])
-      {
-        vtkMTRealPoint next;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          next[axis] = place[axis] + step * (this->From.Points[corner][axis] - place[axis]);
-        }
-        const double there = std::sqrt(this->Places.Find(next).Distance2);
-        if (there > distance)
-        {
-          place = next;
-          distance = there;
-          isHigher = true;
-        }
-      }
-      step *= isHigher ? 1.0 : 0.5;
-    }
-    return distance;
-  }
-
   const vtkMTSampledSurface& From;
   const vtkMTSampledSurface& To;
   const vtkMTClosestPoint& Places; // of To
