@@ -258,6 +258,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.ValueArrays = this->ValueArrays;
   settings.Partition = this->PartitionStrategy;
   settings.Reduction = this->PartitionStrategy->GetReduction();
+  settings.PatchesPerRegion = this->PartitionStrategy->GetPatchesPerRegion();
   settings.Simplifier = this->Simplifier;
   settings.Threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : omp_get_max_threads();
   return settings;

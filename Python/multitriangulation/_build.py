@@ -50,7 +50,8 @@ def _get_partition(name):
         return name
     strategy = toolkit.vtkMTPartitionStrategy.MakeByName(name)
     if strategy is None:
-        raise ValueError(f"partition='{name}' is none of v, regular, kd")
+        raise ValueError(f"partition='{name}' is none of v, regular, kd, quad, hexagon, "
+                         "or one of the last two with -plane or -sphere")
     return strategy
 
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMTDomainFamilies.h"
+
+#include <algorithm>
+
+namespace
+{
+vtkMTRegularFamilies MakeSpace(double largest)
+{
+  const int smallest = vtkMTRegularFamily::GetSmallestExponent(largest);
+  const int coarsest = std::min(smallest + 54, vtkMTRegularFamily::LargestExponent);
+  return { vtkMTRegularFamily::GetFamilyOf(coarsest, vtkMTRegularFamily::Cubes),
+    vtkMTRegularFamily::GetFamilyOf(smallest, vtkMTRegularFamily::Edges) };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMTDomainFamilies::vtkMTDomainFamilies(const vtkMTDomain& domain, double largest, bool isOddLevel)
+  : Domain(domain)
+  , Space(MakeSpace(largest))
+  , SpaceType(isOddLevel ? vtkMTRegularFamily::Faces : vtkMTRegularFamily::Edges)
+{
+}
+
+vtkMTDomainFamilies::~vtkMTDomainFamilies() = default;
+
+bool vtkMTDomainFamilies::Locate(int family, const Point& x, Cell& cell) const
+{
+  if (family < Offset + this->GetCoarsest())
+  {
+    return this->Space.Locate(family, x, cell);
+  }
+  cell = Cell();
+  this->LocateInDomain(family - Offset, x, cell);
+  cell.Family = family;
+  return true;
+}
+
+int vtkMTDomainFamilies::GetReplacement(const Cell& cell, const Point& lo, const Point& hi) const
+{
+  if (cell.Family < Offset + this->GetCoarsest())
+  {
+    return this->Space.GetReplacement(cell, lo, hi);
+  }
+  const int fitting = this->Space.GetFitting(lo, hi, this->SpaceType);
+  const int finest = std::min(this->First + MostReplaced, this->GetFinest());
+  return fitting != None && cell.Family - Offset < finest ? cell.Family + 1 : fitting;
+}
+
+vtkMTDomainFamilies::Point vtkMTDomainFamilies::GetSeed(const Cell&, const Point& lo, const Point& hi) const
+{
+  Point seed{ lo[0], lo[1], lo[2] };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    seed[axis] = std::clamp(0.5 * lo[axis] + 0.5 * hi[axis], lo[axis], hi[axis]);
+  }
+  return seed;
+}
