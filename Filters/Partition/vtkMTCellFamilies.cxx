@@ -50,7 +50,7 @@ int vtkMTRegularFamilies::GetFitting(const Point& lo, const Point& hi, vtkMTRegu
   return std::clamp(vtkMTRegularFamily::GetFamilyOf(exponent, type), this->First, this->Last);
 }
 
-int vtkMTRegularFamilies::GetReplacement(const Cell& cell, const Point& lo, const Point& hi) const
+int vtkMTRegularFamilies::GetReplacement(const Cell& cell, const Point& lo, const Point& hi, double) const
 {
   const int fitting = this->GetFitting(lo, hi, vtkMTRegularFamily::Cubes);
   return fitting == None || cell.Family >= this->Last ? None : std::max(cell.Family + 1, fitting);

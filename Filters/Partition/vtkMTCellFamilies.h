@@ -30,8 +30,9 @@ public:
   /// The cell of a point. False where there is none.
   virtual bool Locate(int family, const Point& x, Cell& cell) const = 0;
 
-  /// The finer family that is to divide a cell whose points have this box, or None.
-  virtual int GetReplacement(const Cell& cell, const Point& lo, const Point& hi) const = 0;
+  /// The finer family that is to divide a cell, or None. The cell's points have this box and are so many times what is
+  /// wanted.
+  virtual int GetReplacement(const Cell& cell, const Point& lo, const Point& hi, double excess) const = 0;
 
   /// The point that stands for a cell whose points have this box.
   virtual Point GetSeed(const Cell& cell, const Point& lo, const Point& hi) const = 0;
@@ -49,7 +50,7 @@ public:
   ~vtkMTRegularFamilies() override;
 
   bool Locate(int family, const Point& x, Cell& cell) const override { return this->Get(family).Locate(x, cell); }
-  int GetReplacement(const Cell& cell, const Point& lo, const Point& hi) const override;
+  int GetReplacement(const Cell& cell, const Point& lo, const Point& hi, double excess) const override;
   Point GetSeed(const Cell& cell, const Point& lo, const Point& hi) const override;
 
   /// The coarsest family of a type that divides something in a box. None where its corners coincide.

@@ -92,7 +92,8 @@ bool vtkMTCellRegions::Replace(double target)
     Entry& entry = item.second;
     if (entry.Replacement == vtkMTCellFamilies::None && static_cast<double>(entry.Count) > bound)
     {
-      entry.Replacement = this->Families->GetReplacement(item.first, entry.Lo, entry.Hi);
+      entry.Replacement =
+        this->Families->GetReplacement(item.first, entry.Lo, entry.Hi, static_cast<double>(entry.Count) / target);
       any = any || entry.Replacement != vtkMTCellFamilies::None;
     }
   }

@@ -122,7 +122,8 @@ TEST(QuadPartition, EveryStepHalvesExactly)
   const Points terrain = MakeTerrain(250).GetBarycentres();
   const std::map<std::string, Points> planes{ { "square terrain", terrain },
     { "terrain twice as long", Scale(terrain, { 2.0, 1.0, 1.0 }) },
-    { "terrain 1 : 7", Scale(terrain, { 1.0, 7.0, 1.0 }) }, { "line", Scale(terrain, { 0.0, 1.0, 0.0 }) } };
+    { "terrain 1 : 7", Scale(terrain, { 1.0, 7.0, 1.0 }) },
+    { "line", Scale(MakeCloud(125000, 1), { 0.0, 1.0, 0.0 }) } };
   for (const auto& [name, points] : planes)
   {
     const auto [least, most] = MeasureRatios(name, BuildSequence(strategy, points, 100.0), 1.0);
@@ -160,7 +161,7 @@ TEST(HexagonPartition, EveryStepDividesByThree)
   }
 }
 
-// Not one that is locked on three levels, which borders on the edges of a cube or an icosahedron would be.
+// Borders along the edges of a cube or an icosahedron would be borders of every level.
 TEST(DomainPartition, NoBorderStaysLocked)
 {
   const std::map<std::string, Mesh> meshes{ { "sphere", MakeFractalSphere(7) }, { "terrain", MakeTerrain(300) } };
@@ -172,8 +173,12 @@ TEST(DomainPartition, NoBorderStaysLocked)
       const std::vector<double> locked = MeasureLocked(strategy + ", " + name, mesh, sequence);
       if (strategy == "Quad" || strategy == "Hexagon")
       {
+        // The corners of regions, of which half or a third are corners on the next level.
         EXPECT_LT(locked[0], 0.05);
-        EXPECT_EQ(locked[1], 0.0);
+        for (std::size_t i = 1; i < locked.size(); ++i)
+        {
+          EXPECT_LT(locked[i], 0.7 * locked[i - 1]);
+        }
       }
     }
   }

@@ -63,8 +63,10 @@ vtkMTDomain::Point vtkMTDomain::ToDirection(const Point& x) const
   Point d{ x[0] - this->Centre[0], x[1] - this->Centre[1], x[2] - this->Centre[2] };
   if (this->IsTurned)
   {
-    const Point t{ d[0] / 3.0, d[1] / 3.0, d[2] / 3.0 };
-    d = { 2.0 * t[0] - t[1] + 2.0 * t[2], 2.0 * t[0] + 2.0 * t[1] - t[2], 2.0 * t[1] + 2.0 * t[2] - t[0] };
+    // The rotation of the quaternion (3, 1, 2, 1).
+    const Point t{ d[0] / 15.0, d[1] / 15.0, d[2] / 15.0 };
+    d = { 5.0 * t[0] - 2.0 * t[1] + 14.0 * t[2], 10.0 * t[0] + 11.0 * t[1] - 2.0 * t[2],
+      10.0 * t[1] + 5.0 * t[2] - 10.0 * t[0] };
   }
   const std::size_t largest = FindLargest(d);
   const double length = std::abs(d[largest]);

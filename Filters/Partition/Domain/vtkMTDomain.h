@@ -6,7 +6,7 @@
  * Of a box. The plane is that of its two longest sides; the projection leaves the third coordinate out. The sphere is
  * around its centre. A turned domain is another one of the same kind, whose parts have no borders in common with those
  * of the first: the plane's rectangle is larger by a seventh and an eleventh, which are at two sides of it, and the
- * sphere is turned by 60 degrees about the diagonal of its cube.
+ * sphere is turned by 78 degrees about (1, 2, 1), which is no axis of what it is divided by.
  *
  * Nothing but sums, products and quotients: the same results wherever they are computed. Points that are not in the
  * box have a place like any other, the nearest one on the border of the rectangle.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTDomainFamilies.h"
 
+#include "vtkMTBarycentreSample.h"
+
 #include <algorithm>
 
 namespace
@@ -30,26 +32,41 @@ bool vtkMTDomainFamilies::Locate(int family, const Point& x, Cell& cell) const
   {
     return this->Space.Locate(family, x, cell);
   }
+  if (!vtkMTBarycentreSample::IsFinite(x))
+  {
+    return false;
+  }
   cell = Cell();
   this->LocateInDomain(family - Offset, x, cell);
   cell.Family = family;
   return true;
 }
 
-int vtkMTDomainFamilies::GetReplacement(const Cell& cell, const Point& lo, const Point& hi) const
+int vtkMTDomainFamilies::GetReplacement(const Cell& cell, const Point& lo, const Point& hi, double excess) const
 {
   if (cell.Family < Offset + this->GetCoarsest())
   {
-    return this->Space.GetReplacement(cell, lo, hi);
+    return this->Space.GetReplacement(cell, lo, hi, excess);
   }
   const int fitting = this->Space.GetFitting(lo, hi, this->SpaceType);
+  const int family = cell.Family - Offset;
   const int finest = std::min(this->First + MostReplaced, this->GetFinest());
-  return fitting != None && cell.Family - Offset < finest ? cell.Family + 1 : fitting;
+  if (fitting == None || family >= finest)
+  {
+    return fitting;
+  }
+  const double needed = excess * this->GetNumberOfCells(family);
+  int finer = family + 1;
+  while (finer < finest && this->GetNumberOfCells(finer + 1) <= needed)
+  {
+    ++finer;
+  }
+  return Offset + finer;
 }
 
 vtkMTDomainFamilies::Point vtkMTDomainFamilies::GetSeed(const Cell&, const Point& lo, const Point& hi) const
 {
-  Point seed{ lo[0], lo[1], lo[2] };
+  Point seed{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     seed[axis] = std::clamp(0.5 * lo[axis] + 0.5 * hi[axis], lo[axis], hi[axis]);

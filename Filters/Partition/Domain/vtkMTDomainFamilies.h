@@ -5,9 +5,10 @@
  *
  * A family is numbered by how often the domain has been divided; 0 is the whole domain or the faces of a base mesh, and
  * a sphere has coarser ones. Each has as many cells as the next coarser one times the reduction. Cells that hold too
- * much are replaced by those of the next family, up to MostReplaced times; what is still too much lies at nearly one
- * place of the domain, above one another for instance, and is divided in space, by the faces or the edges of a regular
- * partition: by faces on odd levels and by edges on even ones, which have no border in common.
+ * much are replaced by those of as fine a family as they need if they are evenly filled, up to MostReplaced finer; what
+ * is still too much lies at nearly one place of the domain, above one another for instance, and is divided in space, by
+ * the faces or the edges of a regular partition: by faces on odd levels and by edges on even ones, which have no border
+ * in common.
  */
 #ifndef vtkMTDomainFamilies_h
 #define vtkMTDomainFamilies_h
@@ -36,7 +37,7 @@ public:
   ///@}
 
   bool Locate(int family, const Point& x, Cell& cell) const override;
-  int GetReplacement(const Cell& cell, const Point& lo, const Point& hi) const override;
+  int GetReplacement(const Cell& cell, const Point& lo, const Point& hi, double excess) const override;
   Point GetSeed(const Cell& cell, const Point& lo, const Point& hi) const override;
 
 protected:
