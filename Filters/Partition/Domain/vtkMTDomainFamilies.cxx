@@ -51,15 +51,16 @@ int vtkMTDomainFamilies::GetReplacement(const Cell& cell, const Point& lo, const
   const int fitting = this->Space.GetFitting(lo, hi, this->SpaceType);
   const int family = cell.Family - Offset;
   const int finest = std::min(this->First + MostReplaced, this->GetFinest());
-  if (fitting == None || family >= finest)
+  // By two families at a time: those of successive levels are never the same then, and cells of faces are within one.
+  int finer = family + 2;
+  if (fitting == None || finer > finest)
   {
     return fitting;
   }
   const double needed = excess * this->GetNumberOfCells(family);
-  int finer = family + 1;
-  while (finer < finest && this->GetNumberOfCells(finer + 1) <= needed)
+  while (finer + 2 <= finest && this->GetNumberOfCells(finer + 2) <= needed)
   {
-    ++finer;
+    finer += 2;
   }
   return Offset + finer;
 }
