@@ -37,8 +37,7 @@ vtkStandardNewMacro(vtkMultiTriangulationBuilder);
 
 namespace
 {
-/// The number of threads of the parallel loops that the calling thread comes to, while this lives: partitions have no
-/// number of their own.
+/// The threads of the calling thread's parallel loops, while this lives: partitions have no number of their own.
 class ThreadCount
 {
 public:

@@ -6,20 +6,22 @@
  * What vtkMTQuadPartition and vtkMTHexagonPartition have in common. Barycentres are projected to the domain, straight
  * down to a plane or from the middle to a sphere, and the domain is subdivided in the same way everywhere. So the
  * regions of all levels are known beforehand: the partition of every level is the next finer one with GetReduction()
- * times fewer regions, exactly where the mesh covers the domain, and no border of one is a border of the next.
+ * times fewer regions, exactly where the mesh covers the domain, and no border of one is a border of the next but at
+ * the corners of regions, of which half or a third are corners on the next level.
  *
  * The subdivision is even in the domain and not in triangles: where the mesh has twice as many triangles over the same
  * place a region has twice as many. Regions of more than MaximumOverload times the target are replaced by those of
- * finer families, up to 8 of them, and by cells of a grid in space where that is not enough. Regions with few triangles
- * stay. So terrain sampled in a grid is what planes are for, planets and star-shaped things (balls, heads, potatoes)
- * are for spheres; other meshes are partitioned as correctly, but several sheets over one place of the domain are one
- * region of several components, and their sizes vary: choose vtkMTVoronoiPartition for them.
+ * finer families, two, four, six or eight levels finer, and by cells of a grid in space where that is not enough.
+ * Regions with few triangles stay. So terrain sampled in a grid is what planes are for, planets and star-shaped things
+ * (balls, heads, potatoes) are for spheres; other meshes are partitioned as correctly, but several sheets over one
+ * place of the domain are one region of several components, and their sizes vary: choose vtkMTVoronoiPartition for
+ * them.
  *
  * The family is the one whose regions have the target in the mean where the mesh covers the domain, or else a finer one
  * so that there are enough regions that are not empty, judged by a sample of 64 barycentres for each region. In
  * sequences that do not grow by the reduction two levels may be of one family: odd sums of family and level divide a
- * domain that is turned, whose borders are elsewhere. Regions of the same family have the same area in a plane, and up
- * to 1.4 times (quads) and 2 times (hexagons) the least one's on a sphere.
+ * domain that is turned, whose borders are elsewhere. Regions of the same family have the same area in a plane (but
+ * for hexagons at its border), and up to 1.5 times the mean one's on a sphere.
  *
  * Memory: 64 to 128 barycentres and a hash table entry for each region. Barycentres that are not finite have no
  * influence and are in region 0.
