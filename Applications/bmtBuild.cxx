@@ -279,8 +279,8 @@ void AddOptions(CLI::App& command, BuildOptions& options)
   bmtAddInputOptions(command, options.Input);
   command
     .add_option("--partition", options.Partition,
-      "Regions: v (Voronoi), regular (cube, face, edge centres) or kd (boxes of a k-d tree)")
-    ->check(CLI::IsMember({ "v", "regular", "kd" }))
+      "Regions: v (Voronoi), regular (cubes, octahedra), kd (boxes), quad, hexagon (or with a domain: quad-plane)")
+    ->check(CLI::IsMember(vtkMTPartitionStrategy::GetNames()))
     ->capture_default_str();
   command
     .add_option("--simplifier", options.Simplifier,

@@ -57,15 +57,12 @@ struct VTKMTCONSTRUCTION_EXPORT vtkMTBuildSettings : vtkMTWorkSettings
   double MemoryPerByteSimplified = 0.0;
   ///@}
 
-  /**
-   * Triangles of a region of Psi_i on M_i over those of a patch: a crossing with the next partition, of half as many
-   * regions, splits a region into about this many patches once slivers are merged (measured on scans and fractal
-   * spheres: Testing/Construction prints the mean patch of every model that it builds).
-   */
-  static constexpr double PatchesPerRegion = 2.9;
+  /// Triangles of a region of Psi_i on M_i over those of a patch: the strategy's
+  /// (vtkMTPartitionStrategy::GetPatchesPerRegion).
+  double PatchesPerRegion = 2.9;
 
   /// The wanted mean number of triangles in a region of Psi_i on M_i.
-  double GetRegionTarget() const { return PatchesPerRegion * static_cast<double>(this->PatchTriangles); }
+  double GetRegionTarget() const { return this->PatchesPerRegion * static_cast<double>(this->PatchTriangles); }
   /// Whether meshes below are held against. Angles and values are certified together with the distances that the steps
   /// add up to.
   bool KeepsFinerLevels() const

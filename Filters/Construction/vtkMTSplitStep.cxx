@@ -19,8 +19,9 @@ namespace
 class FragmentScan : public vtkMTBarycentreScan
 {
 public:
-  FragmentScan(const vtkMTSequenceState& state, std::function<bool()> proceed)
+  FragmentScan(const vtkMTSequenceState& state, double reduction, std::function<bool()> proceed)
     : State(state)
+    , Reduction(reduction)
     , Proceed(std::move(proceed))
   {
   }
@@ -28,6 +29,11 @@ public:
   std::size_t GetNumberOfTriangles() const override
   {
     return static_cast<std::size_t>(this->State.LevelElements.back());
+  }
+
+  double GetNominalTriangles() const override
+  {
+    return static_cast<double>(this->State.LevelElements[0]) / std::pow(this->Reduction, this->State.Level);
   }
 
   bool Scan(const Block& block) override
@@ -82,6 +88,7 @@ private:
 
   static constexpr std::size_t Many = 16384;
   const vtkMTSequenceState& State;
+  const double Reduction;
   const std::function<bool()> Proceed;
   std::vector<Barycentre> Barycentres;
   std::string Error;
@@ -90,7 +97,7 @@ private:
 
 std::unique_ptr<vtkMTPartition> vtkMTSplitStep::MakePartition()
 {
-  FragmentScan scan(this->State, [this] { return this->Continue("placing regions", 0); });
+  FragmentScan scan(this->State, this->Options.Reduction, [this] { return this->Continue("placing regions", 0); });
   const int level = static_cast<int>(this->State.Level) + 1;
   const vtkMTStageTimes::Scope seed(this->Options.Times, vtkMTStageTimes::Seed, true);
   auto partition = this->Options.Partition->Build(scan, this->Options.GetFloorTarget(), level);

@@ -37,8 +37,7 @@ vtkStandardNewMacro(vtkMultiTriangulationBuilder);
 
 namespace
 {
-/// The number of threads of the parallel loops that the calling thread comes to, while this lives: partitions have no
-/// number of their own.
+/// The threads of the calling thread's parallel loops, while this lives: partitions have no number of their own.
 class ThreadCount
 {
 public:
@@ -258,6 +257,7 @@ vtkMTBuildSettings vtkMultiTriangulationBuilder::MakeSettings() const
   settings.ValueArrays = this->ValueArrays;
   settings.Partition = this->PartitionStrategy;
   settings.Reduction = this->PartitionStrategy->GetReduction();
+  settings.PatchesPerRegion = this->PartitionStrategy->GetPatchesPerRegion();
   settings.Simplifier = this->Simplifier;
   settings.Threads = this->NumberOfThreads > 0 ? this->NumberOfThreads : omp_get_max_threads();
   return settings;

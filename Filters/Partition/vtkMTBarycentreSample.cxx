@@ -19,7 +19,8 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
   this->Count = 0;
   Point first = { 0.0, 0.0, 0.0 };
   Point sum = { 0.0, 0.0, 0.0 };
-  double largest = 0.0;
+  Point lo = { 0.0, 0.0, 0.0 };
+  Point hi = { 0.0, 0.0, 0.0 };
   std::size_t run = 0;   // the next one
   std::size_t taken = 0; // of the present one
   const bool ok = scan.Scan(
@@ -31,11 +32,15 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
         {
           continue;
         }
-        first = this->Count == 0 ? barycentres[i] : first;
+        if (this->Count == 0)
+        {
+          first = lo = hi = barycentres[i];
+        }
         for (int axis = 0; axis < 3; ++axis)
         {
           sum[axis] += barycentres[i][axis] - first[axis];
-          largest = std::max(largest, std::fabs(barycentres[i][axis])); // both are numbers
+          lo[axis] = std::min(lo[axis], barycentres[i][axis]);
+          hi[axis] = std::max(hi[axis], barycentres[i][axis]);
         }
         // Once per run: divisions for every barycentre take longer than all the rest.
         if (this->Count == run * stride)
@@ -48,7 +53,9 @@ bool vtkMTBarycentreSample::Take(vtkMTBarycentreScan& scan, std::size_t stride)
         }
       }
     });
-  this->Largest = largest;
+  this->Lo = lo;
+  this->Hi = hi;
+  this->Largest = std::max({ -lo[0], hi[0], -lo[1], hi[1], -lo[2], hi[2] });
   for (int axis = 0; ok && this->Count > 0 && axis < 3; ++axis)
   {
     this->Mean[axis] = first[axis] + sum[axis] / static_cast<double>(this->Count);

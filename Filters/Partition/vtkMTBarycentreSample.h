@@ -28,9 +28,12 @@ public:
 
   /// Some of the barycentres, in the order of the scan; none only when Count is 0.
   std::vector<Point> Points;
-  /// Of all finite barycentres: how many they are, their mean and the largest absolute value of a coordinate.
+  /// Of all finite barycentres: how many they are, their mean, their box and the largest absolute value of a
+  /// coordinate.
   std::size_t Count = 0;
   Point Mean = { 0.0, 0.0, 0.0 };
+  Point Lo = { 0.0, 0.0, 0.0 };
+  Point Hi = { 0.0, 0.0, 0.0 };
   double Largest = 0.0;
 
   static bool IsFinite(const Point& x) { return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]); }

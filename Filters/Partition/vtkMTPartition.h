@@ -44,6 +44,9 @@ public:
   virtual ~vtkMTBarycentreScan();
   using Block = std::function<void(const std::array<double, 3>* barycentres, std::size_t count)>;
   virtual std::size_t GetNumberOfTriangles() const = 0;
+  /// How many there would be on this level of a sequence if every step made exactly the reduction's share of them; 0,
+  /// which it is here: not known. So a strategy can have its exact share of regions whatever simplification left.
+  virtual double GetNominalTriangles() const { return 0.0; }
   /// Calls block for all barycentres in order, a few thousand at a time. False when the scan failed.
   virtual bool Scan(const Block& block) = 0;
 };

@@ -2,8 +2,8 @@
 #include "vtkMTRegularPartition.h"
 
 #include "vtkMTBarycentreSample.h"
-#include "vtkMTRegularFamily.h"
-#include "vtkMTRegularRegions.h"
+#include "vtkMTCellFamilies.h"
+#include "vtkMTCellRegions.h"
 #include "vtkMTRelease.h"
 #include "vtkMTSeedPartition.h"
 #include "vtkObjectFactory.h"
@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_set>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkMTRegularPartition);
@@ -21,28 +21,9 @@ namespace
 {
 using Points = std::vector<std::array<double, 3>>;
 
-// Counts no further than `enough`.
-double CountRegions(const Points& points, int family, double enough = std::numeric_limits<double>::infinity())
-{
-  const vtkMTRegularFamily seeds(family);
-  std::unordered_set<vtkMTRegularFamily::Cell, vtkMTRegularFamily::Hash> cells;
-  vtkMTRegularFamily::Cell cell;
-  for (const auto& point : points)
-  {
-    if (seeds.Locate(point, cell))
-    {
-      cells.insert(cell);
-    }
-    if (static_cast<double>(cells.size()) >= enough)
-    {
-      break;
-    }
-  }
-  return static_cast<double>(cells.size());
-}
-
 // The coarsest cell size whose face or edge centres give at least the wanted number of regions.
-int FindExponent(const Points& points, vtkMTRegularFamily::SeedType type, double wanted, int smallest)
+int FindExponent(const vtkMTCellFamilies& families, const Points& points, vtkMTRegularFamily::SeedType type,
+  double wanted, int smallest)
 {
   int low = smallest;
   int high = std::min(smallest + 54, vtkMTRegularFamily::LargestExponent);
@@ -50,7 +31,7 @@ int FindExponent(const Points& points, vtkMTRegularFamily::SeedType type, double
   {
     const int middle = low + (high - low + 1) / 2;
     const int family = vtkMTRegularFamily::GetFamilyOf(middle, type);
-    if (CountRegions(points, family, wanted) >= wanted)
+    if (families.CountCells(points, family, wanted) >= wanted)
     {
       low = middle;
     }
@@ -62,10 +43,10 @@ int FindExponent(const Points& points, vtkMTRegularFamily::SeedType type, double
   return low;
 }
 
-int ChooseFamily(const Points& points, double wanted, int level, int smallest)
+int ChooseFamily(const vtkMTCellFamilies& families, const Points& points, double wanted, int level, int smallest)
 {
   const vtkMTRegularFamily::SeedType between = level % 2 != 0 ? vtkMTRegularFamily::Faces : vtkMTRegularFamily::Edges;
-  const int exponent = FindExponent(points, between, wanted, smallest);
+  const int exponent = FindExponent(families, points, between, wanted, smallest);
   const int candidates[] = { vtkMTRegularFamily::GetFamilyOf(exponent + 1, between),
     vtkMTRegularFamily::GetFamilyOf(exponent + 1, vtkMTRegularFamily::Cubes),
     vtkMTRegularFamily::GetFamilyOf(exponent, vtkMTRegularFamily::Cubes),
@@ -74,7 +55,7 @@ int ChooseFamily(const Points& points, double wanted, int level, int smallest)
   double bestPenalty = std::numeric_limits<double>::infinity();
   for (const int family : candidates)
   {
-    const double regions = CountRegions(points, family);
+    const double regions = families.CountCells(points, family);
     // Half an octave in favour of faces and edges, which alternate: cubes must not follow upon the same cubes.
     const double penalty = std::abs(std::log2(regions / wanted)) +
       (vtkMTRegularFamily(family).GetType() == vtkMTRegularFamily::Cubes ? 0.5 : 0.0);
@@ -106,10 +87,13 @@ std::unique_ptr<vtkMTPartition> vtkMTRegularPartition::Build(vtkMTBarycentreScan
   }
   const int smallest = vtkMTRegularFamily::GetSmallestExponent(sample.Largest);
   const double wanted = static_cast<double>(sample.Count) / target;
-  const int family = ChooseFamily(sample.Points, wanted, level, smallest);
+  const int largest = std::min(smallest + 55, vtkMTRegularFamily::LargestExponent + 1);
+  auto families =
+    std::make_unique<vtkMTRegularFamilies>(vtkMTRegularFamily::GetFamilyOf(largest, vtkMTRegularFamily::Cubes),
+      vtkMTRegularFamily::GetFamilyOf(smallest, vtkMTRegularFamily::Edges));
+  const int family = ChooseFamily(*families, sample.Points, wanted, level, smallest);
   vtkMTRelease(sample.Points);
-  auto regions =
-    std::make_unique<vtkMTRegularRegions>(family, vtkMTRegularFamily::GetFamilyOf(smallest, vtkMTRegularFamily::Edges));
+  auto regions = std::make_unique<vtkMTCellRegions>(std::move(families), family);
   if (!regions->Fill(scan, target))
   {
     return nullptr;

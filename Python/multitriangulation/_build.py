@@ -24,6 +24,14 @@ _UNITS = {"": 1, "k": 10**3, "m": 10**6, "g": 10**9, "t": 10**12, "ki": 2**10, "
 _COMPRESSIONS = ("none", "fast", "small")
 _INPUT_IDS = ("none", "finest", "all")
 _SIMPLIFIERS = {"fast": "FAST", "best": "BEST", "lindstrom-turk": "LINDSTROM_TURK", "garland-heckbert": "GARLAND_HECKBERT"}
+_PARTITIONS = {
+    "v": "vtkMTVoronoiPartition",
+    "regular": "vtkMTRegularPartition",
+    "kd": "vtkMTKdPartition",
+    "quad": "vtkMTQuadPartition",
+    "hexagon": "vtkMTHexagonPartition",
+}
+_DOMAINS = {"plane": 1, "sphere": 2}
 
 
 def _get_bytes(amount):
@@ -48,9 +56,13 @@ def _get_simplifier(name):
 def _get_partition(name):
     if not isinstance(name, str):
         return name
-    strategy = toolkit.vtkMTPartitionStrategy.MakeByName(name)
-    if strategy is None:
-        raise ValueError(f"partition='{name}' is none of v, regular, kd")
+    stem, dash, domain = name.partition("-")
+    if stem not in _PARTITIONS or (dash and (domain not in _DOMAINS or stem not in ("quad", "hexagon"))):
+        raise ValueError(f"partition='{name}' is none of {', '.join(_PARTITIONS)}, or one of the last two with -plane "
+                         "or -sphere")
+    strategy = getattr(toolkit, _PARTITIONS[stem])()
+    if dash:
+        strategy.SetDomain(_DOMAINS[domain])
     return strategy
 
 

@@ -91,7 +91,7 @@ TEST_F(EndToEnd, InfoHasEveryFigureThatIsPromised)
 TEST_F(EndToEnd, ModelsOfEveryPartitionAndSimplifierAreValid)
 {
   this->MakeSphere(5120);
-  for (const std::string partition : { "v", "regular", "kd" })
+  for (const std::string partition : { "v", "regular", "kd", "quad", "hexagon" })
   {
     for (const std::string simplifier : { "fast", "best", "lindstrom-turk", "garland-heckbert" })
     {
@@ -109,7 +109,7 @@ TEST_F(EndToEnd, ModelsOfEveryPartitionAndSimplifierAreValid)
 TEST_F(EndToEnd, OneAndTwoThreadsGiveTheSameBytes)
 {
   this->MakeSphere(20480);
-  for (const std::string partition : { "v", "regular", "kd" })
+  for (const std::string partition : { "v", "regular", "kd", "quad", "hexagon" })
   {
     for (const std::string threads : { "1", "2" })
     {

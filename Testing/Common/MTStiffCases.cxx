@@ -207,7 +207,7 @@ const Case* FindCase(const std::string& name)
 //------------------------------------------------------------------------------
 double GetRegionTarget(const MTStiffStudy::Settings& settings)
 {
-  return vtkMTBuildSettings::PatchesPerRegion * settings.PatchTriangles;
+  return vtkMTBuildSettings().PatchesPerRegion * settings.PatchTriangles;
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,7 @@ LONG_FILES = 5
 FUNCTION_LINES = 60
 FOLDER_FILES = 65
 APPLICATION_LINES = 2500
-INSTALLED_HEADERS = 48
+INSTALLED_HEADERS = 51
 
 NO_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
 SCOPE = re.compile(r"^(inline |typedef )*(namespace|class|struct|union|enum)\b")

@@ -82,9 +82,9 @@ class PlantedSizes(unittest.TestCase):
         self.assert_one_violation("Applications: 2501 lines")
 
     def test_too_many_installed_headers_are_found(self):
-        names = " ".join(f"vtkMTHeader{i}.h" for i in range(49))
+        names = " ".join(f"vtkMTHeader{i}.h" for i in range(52))
         self.write("Module/CMakeLists.txt", f"vtk_module_add_module(X HEADERS {names})\n")
-        self.assert_one_violation("49 installed headers")
+        self.assert_one_violation("52 installed headers")
 
     def test_the_command_fails_on_a_violation_and_on_an_empty_tree(self):
         self.assertEqual(check_sizes.main([str(self.root)]), 0)

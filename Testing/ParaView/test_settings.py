@@ -29,6 +29,8 @@ PROXIES = {  # class: headers that have its settings
     "vtkMTVoronoiPartition": ["Filters/Partition/vtkMTVoronoiPartition"],
     "vtkMTRegularPartition": ["Filters/Partition/vtkMTRegularPartition"],
     "vtkMTKdPartition": ["Filters/Partition/vtkMTKdPartition"],
+    "vtkMTQuadPartition": ["Filters/Partition/vtkMTDomainPartition"],
+    "vtkMTHexagonPartition": ["Filters/Partition/vtkMTDomainPartition"],
     "vtkMTFractalSphereSource": ["Filters/Sources/vtkMTFractalSphereSource"],
     "vtkMTPlaneSource": ["Filters/Sources/vtkMTPlaneSource"],
     "vtkMultiTriangulationRepresentation": ["Rendering/OpenGL2/vtkMultiTriangulationMapper"],

@@ -3,7 +3,9 @@
 #ifndef MTPartitionStrategies_h
 #define MTPartitionStrategies_h
 
+#include "vtkMTHexagonPartition.h"
 #include "vtkMTKdPartition.h"
+#include "vtkMTQuadPartition.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTVoronoiPartition.h"
 #include "vtkSmartPointer.h"
@@ -15,7 +17,7 @@ namespace MTPartitionTest
 {
 inline std::vector<std::string> GetStrategyNames()
 {
-  return { "AlongCurve", "RadiusScan", "Regular", "Kd" };
+  return { "AlongCurve", "RadiusScan", "Regular", "Kd", "Quad", "Hexagon" };
 }
 
 inline vtkSmartPointer<vtkMTPartitionStrategy> MakeStrategy(const std::string& name)
@@ -27,6 +29,14 @@ inline vtkSmartPointer<vtkMTPartitionStrategy> MakeStrategy(const std::string& n
   if (name == "Kd")
   {
     return vtkSmartPointer<vtkMTKdPartition>::New();
+  }
+  if (name == "Quad")
+  {
+    return vtkSmartPointer<vtkMTQuadPartition>::New();
+  }
+  if (name == "Hexagon")
+  {
+    return vtkSmartPointer<vtkMTHexagonPartition>::New();
   }
   const auto strategy = vtkSmartPointer<vtkMTVoronoiPartition>::New();
   strategy->SetSeedPlacement(

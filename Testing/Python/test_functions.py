@@ -60,6 +60,12 @@ class Functions(unittest.TestCase):
     def tearDownClass(cls):
         cls.folder.cleanup()
 
+    def test_every_partition_builds(self):
+        for name in ("v", "regular", "kd", "quad", "quad-sphere", "hexagon", "hexagon-plane"):
+            file = os.path.join(self.folder.name, name + ".bmt")
+            model = mt.build(self.mesh, file, partition=name, patch_triangles=200)
+            self.assertEqual(model.triangles, self.mesh.GetNumberOfPolys(), name)
+
     def test_model_says_what_it_is(self):
         model = mt.read(self.name)
         print(model)
@@ -231,6 +237,8 @@ class Functions(unittest.TestCase):
             (TypeError, "no setting 'patch'", lambda: mt.build(self.file, patch=3)),
             (TypeError, "no setting 'resume' of a mesh in memory", lambda: mt.build(self.mesh, resume=True)),
             (ValueError, "memory='much'", lambda: mt.build(self.file, memory="much")),
+            (ValueError, "none of v,", lambda: mt.build(self.file, partition="quads")),
+            (ValueError, "none of v,", lambda: mt.build(self.file, partition="kd-plane")),
             (ValueError, "none of fast", lambda: mt.build(self.file, simplifier="good")),
             (ValueError, "not a number", lambda: mt.build(self.file, feature_angle=float("nan"))),
             (ValueError, r"shapes \(n, 3\)", lambda: mt.build((numpy.zeros((3, 2)), numpy.zeros((1, 3), int)))),

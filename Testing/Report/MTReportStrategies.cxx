@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTReportStrategies.h"
 
+#include "vtkMTHexagonPartition.h"
 #include "vtkMTKdPartition.h"
+#include "vtkMTQuadPartition.h"
 #include "vtkMTRegularPartition.h"
 #include "vtkMTVoronoiPartition.h"
 
@@ -22,6 +24,8 @@ const std::vector<MTReportStrategy>& MTReportGetStrategies()
     { "Voronoi, radius scan", MakeVoronoi(vtkMTVoronoiPartition::RADIUS_SCAN) },
     { "regular", vtkSmartPointer<vtkMTRegularPartition>::New() },
     { "k-d tree", vtkSmartPointer<vtkMTKdPartition>::New() },
+    { "quads", vtkSmartPointer<vtkMTQuadPartition>::New() },
+    { "hexagons", vtkSmartPointer<vtkMTHexagonPartition>::New() },
   };
   return strategies;
 }
