@@ -46,7 +46,7 @@ public:
   /// How far above the largest true deviation a sum of a fragment of a level may be and stay.
   static constexpr double Looseness = 1.25;
   static constexpr double LoosenessFarBelow = 1.4;
-  static constexpr double LoosenessOfCoarse = 1.2;
+  static constexpr double LoosenessOfCoarse = 1.1;
   static constexpr std::size_t NearLevels = 3;
   static constexpr std::size_t CoarseLevel = 6;
   static double GetLooseness(std::size_t level, std::size_t levelsBelow)
