@@ -156,7 +156,7 @@ bool vtkMTBuildWorkspace::Prepare(
   {
     builder->SetSpoolStore(std::make_shared<vtkMTMemorySpoolStore>());
     builder->SetMemoryLimit(0);
-    if (this->Given.MemoryLimit == 0)
+    if (plan.IsWhole(this->Limit / 2, resident)) // large pages may hold more than is used
     {
       UseLargePages(plan.GetSpoolSize());
       this->HasLargePages = true;
