@@ -13,13 +13,19 @@
 #include "vtkMultiTriangulationFileBuilder.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace
 {
+constexpr int LargestBlock = 32 << 20; // that glibc takes from the heap
+
 // What is freed is given back to the system, since the limit is measured from outside; but not blocks of the size that
 // a region needs, or a fifth of the time goes into pages that come and go. Where there is room, larger ones stay too.
 void KeepSmallBlocks(std::uint64_t limit)
@@ -34,9 +40,29 @@ void KeepSmallBlocks(std::uint64_t limit)
 // The most that glibc comes to by itself: what draws next may free and fetch as much for every frame.
 void KeepLargeBlocks()
 {
-  constexpr int largest = 32 << 20;
-  mallopt(M_MMAP_THRESHOLD, largest);
-  mallopt(M_TRIM_THRESHOLD, 2 * largest);
+  mallopt(M_MMAP_THRESHOLD, LargestBlock);
+  mallopt(M_TRIM_THRESHOLD, 2 * LargestBlock);
+}
+
+// A build in memory touches so many pages that making and finding small ones takes a twentieth of the time. The heap
+// grows at once by what the build may take, none of which is held before it is touched, and is to be made of large
+// pages. Only the heap of the main thread is; where the block does not come from it, nothing is done.
+void UseLargePages(std::uint64_t bytes)
+{
+  constexpr std::uintptr_t page = 2 << 20;
+  constexpr std::uint64_t most = std::numeric_limits<int>::max();
+  mallopt(M_MMAP_THRESHOLD, LargestBlock);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, static_cast<int>(std::min(bytes, most)));
+  void* volatile block = std::malloc(LargestBlock / 2); // volatile, or the compiler leaves both calls out
+  const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
+  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0));
+  if (block && begin < end)
+  {
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  }
+  std::free(block);
+  mallopt(M_TOP_PAD, page);
 }
 
 std::filesystem::path GetParent(const std::string& output, const std::string& temporaryFolder)
@@ -68,7 +94,7 @@ vtkMTBuildWorkspace::vtkMTBuildWorkspace(const Settings& settings)
 
 vtkMTBuildWorkspace::~vtkMTBuildWorkspace()
 {
-  if (this->Given.MemoryLimit > 0)
+  if (this->Given.MemoryLimit > 0 || this->HasLargePages)
   {
     KeepLargeBlocks();
   }
@@ -130,6 +156,11 @@ bool vtkMTBuildWorkspace::Prepare(
   {
     builder->SetSpoolStore(std::make_shared<vtkMTMemorySpoolStore>());
     builder->SetMemoryLimit(0);
+    if (plan.IsWhole(this->Limit / 2, resident)) // large pages may hold more than is used
+    {
+      UseLargePages(plan.GetSpoolSize());
+      this->HasLargePages = true;
+    }
     return true;
   }
   this->Estimate = plan.GetSpoolSize();

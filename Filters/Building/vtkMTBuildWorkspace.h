@@ -78,6 +78,7 @@ private:
   const std::string Folder;
   const std::uint64_t Limit;
   std::uint64_t Estimate = 0;
+  bool HasLargePages = false; // of the heap; set back in the end
   std::string Warning;
   std::unique_ptr<vtkMTScratchStore> Scratch; // never null
   std::shared_ptr<vtkMTFileSpoolStore> Files;

@@ -275,8 +275,9 @@ public:
    * The most memory that the whole process may hold while it builds, in bytes; what it holds already counts. Default 0:
    * a quarter of the machine's, GetDefaultMemoryLimit. A limit that is too small is an error that names the least
    * (MemoryLimitError). While it builds within a limit, the C library gives memory that is freed back to the system, as
-   * the process would seem larger than it is otherwise; after that it keeps up to 64 MiB of it (mallopt). No influence
-   * on the file.
+   * the process would seem larger than it is otherwise; after that it keeps up to 64 MiB of it (mallopt). Where half of
+   * the limit is enough to build in memory, it keeps what is freed until then, and the heap is made of large pages
+   * (madvise). No influence on the file.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMTBoxRuns.h"
 
+#include <limits>
 #include <utility>
 
 //------------------------------------------------------------------------------
@@ -26,6 +27,44 @@ vtkMTBoxRuns::vtkMTBoxRuns(std::vector<Box> boxes)
     }
     this->Levels.push_back(std::move(runs));
   }
+  double largest = 0.0;
+  for (const Box& box : this->Levels.back())
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      largest = std::max({ largest, std::abs(box.Low[c]), std::abs(box.High[c]) });
+    }
+  }
+  for (const std::vector<Box>& level : this->Levels)
+  {
+    this->Runs.push_back(MakeRuns(level, GetMargin(largest)));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of boxes with a margin that is enough for the largest; at least one run. Nothing touches what is missing in the last.
+std::vector<vtkMTBoxRuns::Run> vtkMTBoxRuns::MakeRuns(const std::vector<Box>& boxes, double margin)
+{
+  std::vector<Run> runs(std::max<std::size_t>(1, (boxes.size() + Length - 1) / Length));
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    Run& run = runs[i / Length];
+    for (int c = 0; c < 3; ++c)
+    {
+      run.Low[c][i % Length] = static_cast<float>(boxes[i].Low[c] - margin);
+      run.High[c][i % Length] = static_cast<float>(boxes[i].High[c] + margin);
+    }
+  }
+  for (std::size_t i = boxes.size(); i < Length * runs.size(); ++i)
+  {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    for (int c = 0; c < 3; ++c)
+    {
+      runs.back().Low[c][i % Length] = inf;
+      runs.back().High[c][i % Length] = -inf;
+    }
+  }
+  return runs;
 }
 
 //------------------------------------------------------------------------------
@@ -63,6 +102,19 @@ vtkMTBoxRuns::Box vtkMTBoxRuns::GetBox(const vtkMTSurface& surface, std::uint32_
   {
     box.Low[i] = std::min(std::min(a[i], b[i]), c[i]) - wider;
     box.High[i] = std::max(std::max(a[i], b[i]), c[i]) + wider;
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+vtkMTBoxRuns::Box vtkMTBoxRuns::GetBox(const Ball& ball)
+{
+  Box box;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double reach = ball.Radius + (ball.Radius + std::abs(ball.Middle[i])) * 0x1p-36;
+    box.Low[i] = ball.Middle[i] - reach;
+    box.High[i] = ball.Middle[i] + reach;
   }
   return box;
 }

@@ -191,7 +191,7 @@ bool vtkMTDirectDeviation::Neighbourhood::Touches(const Ball& ball) const
   };
   const bool isNearLast =
     this->Last < this->Triangles.size() && touches(this->Boxes->GetBox(this->Last)) && accept(this->Last);
-  return isNearLast || this->Boxes->HasTouched(touches, accept);
+  return isNearLast || this->Boxes->HasTouched(vtkMTBoxRuns::GetBox(ball), touches, accept);
 }
 
 //------------------------------------------------------------------------------

@@ -207,7 +207,8 @@ void vtkMTDirectImprover::FindCandidates(std::uint32_t t, double known)
   this->Candidates.clear();
   const Target target(this->Fragment, t);
   const vtkMTBoxRuns::Box around = vtkMTBoxRuns::GetBox(this->Fragment, t, known);
-  this->FinerBoxes.HasTouched([&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(around, box); },
+  this->FinerBoxes.HasTouched(
+    around, [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(around, box); },
     [&](std::uint32_t s)
     {
       ++this->Effort;
@@ -244,7 +245,8 @@ std::uint32_t vtkMTDirectImprover::FindOver(std::uint32_t t) const
 {
   const Ball ball{ GetBall(this->Fragment, t, 0.0).Middle, this->Known[t].ToInput };
   std::uint32_t over = None;
-  this->FinerBoxes.HasTouched([&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); },
+  this->FinerBoxes.HasTouched(
+    vtkMTBoxRuns::GetBox(ball), [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); },
     [&](std::uint32_t s)
     {
       over = s;
@@ -343,7 +345,7 @@ bool vtkMTDirectImprover::IsNearFloor(const Ball& ball)
   };
   const auto touches = [&](const vtkMTBoxRuns::Box& box) { return vtkMTBoxRuns::Touch(box, ball); };
   return (touches(this->Floor.Boxes->GetBox(this->LastNearFloor)) && isNear(this->LastNearFloor)) ||
-    this->Floor.Boxes->HasTouched(touches, isNear);
+    this->Floor.Boxes->HasTouched(vtkMTBoxRuns::GetBox(ball), touches, isNear);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "vtkMTVector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -66,8 +67,9 @@ void vtkMTTriangleTree::LookAtRuns(Query& query) const
     this->Look(query, this->Runs->FindNear(query.Place));
   }
   constexpr double less = 1.0 - 1e-12; // for rounding
-  this->Runs->HasTouched([&](const vtkMTBoxRuns::Box& box)
-    { return less * vtkMTBoxRuns::GetDistance2(box, query.Place) < query.Best2; },
+  this->Runs->HasTouched(
+    vtkMTBoxRuns::GetBox({ query.Place, std::sqrt(query.Best2) }),
+    [&](const vtkMTBoxRuns::Box& box) { return less * vtkMTBoxRuns::GetDistance2(box, query.Place) < query.Best2; },
     [&](std::uint32_t t)
     {
       this->Look(query, t);

@@ -371,10 +371,10 @@ TEST(BoxRuns, FindWhatIsTouchedAndNothingElse)
       {
         const Box box = makeBox();
         const Ball ball{ box.Low, 10.0 * random.Uniform() };
-        const auto check = [&](const auto& touches)
+        const auto check = [&](const Box& around, const auto& touches)
         {
           std::vector<std::uint32_t> found;
-          runs.HasTouched(touches,
+          runs.HasTouched(around, touches,
             [&](std::uint32_t i)
             {
               found.push_back(i);
@@ -391,8 +391,8 @@ TEST(BoxRuns, FindWhatIsTouchedAndNothingElse)
           EXPECT_EQ(found, expected) << count << " boxes, seed " << seed;
           touching += expected.size();
         };
-        check([&](const Box& other) { return vtkMTBoxRuns::Touch(box, other); });
-        check([&](const Box& other) { return vtkMTBoxRuns::Touch(other, ball); });
+        check(box, [&](const Box& other) { return vtkMTBoxRuns::Touch(box, other); });
+        check(vtkMTBoxRuns::GetBox(ball), [&](const Box& other) { return vtkMTBoxRuns::Touch(other, ball); });
       }
     }
   }
