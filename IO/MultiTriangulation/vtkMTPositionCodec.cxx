@@ -126,8 +126,8 @@ bool MakeReaders(const vtkMTPositionCodec::Source& source, std::size_t points, R
   return true;
 }
 
-// Differences are in multiples of 2^shift where the point is coarse; the same steps either way, as which it is cannot be
-// predicted.
+// Differences are in multiples of 2^shift where the point is coarse; the same steps either way, as which it is cannot
+// be predicted.
 struct Rounding
 {
   Wide Half;
@@ -163,7 +163,8 @@ void Place(const vtkMTPositionCodec::Source& source, const std::vector<Basis>& b
     if (IsNear)
     {
       place = Expect(places, basis, GetNear(true));
-      place = IsShifted ? ((place + rounding.Half) & rounding.Kept) + (difference << rounding.Shift) : place + difference;
+      place =
+        IsShifted ? ((place + rounding.Half) & rounding.Kept) + (difference << rounding.Shift) : place + difference;
     }
     else
     {

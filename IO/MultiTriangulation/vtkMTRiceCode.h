@@ -120,9 +120,10 @@ private:
   }
   static std::uint64_t GetMask(unsigned k) { return (std::uint64_t(1) << k) - 1; }
 
-  // ones: the ends of the codes. So many have their low bits loaded together. Returns where the last one ends.
+  // ones: the ends of the codes. So many have their low bits loaded together. Returns where the last one ends. A
+  // function of its own, so that there are registers for all of it.
   template <std::size_t Together>
-  static unsigned GetGroup(
+  [[gnu::noinline]] static unsigned GetGroup(
     std::uint64_t ones, const unsigned char* low, unsigned k, std::uint32_t* codes, std::size_t width)
   {
     unsigned begin = 0;
@@ -165,9 +166,9 @@ private:
   std::size_t End = 0; // of the bits
 };
 
-/// The codes from `first` on of a block of `count`, at most Reader::GroupSize, of each of some lists: puts code i of list
-/// l, counted from the first of them, to codes[i][l]. Groups follow each other; after the last one the readers are at
-/// the next block. False when the unary codes of one have ended.
+/// The codes from `first` on of a block of `count`, at most Reader::GroupSize, of each of some lists: puts code i of
+/// list l, counted from the first of them, to codes[i][l]. Groups follow each other; after the last one the readers are
+/// at the next block. False when the unary codes of one have ended.
 template <std::size_t Width, std::size_t... L>
 bool ReadGroup(std::array<Reader, sizeof...(L)>& readers, const std::array<unsigned, sizeof...(L)>& parameters,
   std::size_t first, std::size_t count, std::uint32_t (*codes)[Width], std::index_sequence<L...> /* lists */)

@@ -51,7 +51,10 @@ public:
   }
 
 private:
-  std::size_t GetTaken() const { return this->Loaded - (63 - static_cast<std::size_t>(__builtin_clzll(this->Pending))); }
+  std::size_t GetTaken() const
+  {
+    return this->Loaded - (63 - static_cast<std::size_t>(__builtin_clzll(this->Pending)));
+  }
 
   static constexpr std::uint64_t EndOfPending = std::uint64_t(1) << 63;
   static constexpr std::uint64_t FewPending = (std::uint64_t(2) << TooManyOnes) - 1;

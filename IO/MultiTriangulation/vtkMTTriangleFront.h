@@ -258,8 +258,9 @@ public:
     this->Settle();
   }
 
-  // Split, after which the vertex is the rear, or join ahead (isJoin is 1), after which the vertex is the hinge and which
-  // is taken from there: unpredictable, so both take the same steps. It is to be settled after that. Returns the vertex.
+  // Split, after which the vertex is the rear, or join ahead (isJoin is 1), after which the vertex is the hinge and
+  // which is taken from there: unpredictable, so both take the same steps. It is to be settled after that. Returns the
+  // vertex.
   vtkMTInlined std::uint32_t Grow(std::uint32_t isJoin, std::uint32_t vertex, std::uint32_t triangle)
   {
     Gate* const behind = this->BehindSide.Last + 1; // just memory when this is a join
@@ -439,7 +440,7 @@ private:
   std::uint32_t Across = None;
   std::uint32_t Owner = None;
   std::uint32_t Past = AfterAhead;
-  std::uint32_t Joined = 0; // since the last turn
+  std::uint32_t Joined = 0;   // since the last turn
   std::uint32_t Forward = 32; // the gate runs from its rear to its hinge; 0: the other way round
 };
 }
