@@ -144,8 +144,8 @@ struct Rounding
 
 using Group = std::uint32_t[vtkMTRiceCode::Reader::GroupSize][4];
 
-// From codes to places. Each waits for the ones before, at least for that at the rear of its gate, which is mostly the
-// last one; so what does not need that comes first.
+// From codes to places. Each waits for the one at the rear of its gate, which is mostly the last one: what does not
+// need that comes first.
 template <bool IsNear, bool IsShifted>
 void Place(const vtkMTPositionCodec::Source& source, const std::vector<Basis>& bases, const Rounding* roundings,
   std::size_t begin, std::size_t count, const Group& codes, Wide* places)
@@ -155,21 +155,21 @@ void Place(const vtkMTPositionCodec::Source& source, const std::vector<Basis>& b
     Wide code;
     std::memcpy(&code, codes[i - begin], sizeof(code));
     const Basis basis = GetBasis(bases, i);
-    const Wide difference = FromZigzags(code);
     const Rounding& rounding = roundings[IsShifted && GetBit(source.Coarse, i) ? 1 : 0];
-    const Wide late = places[basis.A];
-    const Wide& c = places[basis.C];
-    Wide place = places[basis.B] - c;
+    const Wide difference = FromZigzags(code) << rounding.Shift;
+    const Wide known = IsShifted ? rounding.Half : difference;
+    Wide place;
     if (IsNear)
     {
-      place = Expect(places, basis, GetNear(true));
-      place =
-        IsShifted ? ((place + rounding.Half) & rounding.Kept) + (difference << rounding.Shift) : place + difference;
+      place = Expect(places, basis, GetNear(true)) + known;
     }
     else
     {
-      place = IsShifted ? ((late + (place + rounding.Half)) & rounding.Kept) + (difference << rounding.Shift)
-                        : late + (place + difference);
+      place = places[basis.A] + (places[basis.B] - places[basis.C] + known);
+    }
+    if (IsShifted)
+    {
+      place = (place & rounding.Kept) + difference;
     }
     places[i + 1] = place;
   }

@@ -4,7 +4,8 @@
  *
  * A code of parameter k is its value above the k lowest bits in unary, so many zeros and a one, and these k bits. The
  * two parts are in lists of their own: where the k bits are is known at once, and only the ends of the unary codes have
- * to be found one after the other. Several lists are read side by side, as each waits for its own ends alone.
+ * to be found one after the other. Eight codes are taken from a window of 56 bits without a branch, those of several
+ * lists side by side, as each waits for its own ends alone; codes that are longer are read one by one.
  */
 #ifndef vtkMTRiceCode_h
 #define vtkMTRiceCode_h
