@@ -290,7 +290,6 @@ public:
     return ahead.Vertex == this->GetRear() || this->BehindSide.Last->Vertex == this->GetHinge() ||
       ahead.State == Gate::End || this->Joined >= SweepLength;
   }
-  // Whether the gate is between two that are open, and grew last, so that most steps are to grow again.
   bool IsBetweenOpen() const { return (this->AheadSide.Last->State | this->BehindSide.Last->State) == Gate::Open; }
   vtkMTInlined void Settle()
   {
