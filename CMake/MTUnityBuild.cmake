@@ -83,6 +83,7 @@ set(mt_single_tests
   Construction/TestFarOutliers.cxx
   Construction/TestInputIds.cxx
   Construction/TestOutOfCore.cxx
+  Construction/TestPointWelding.cxx
   General/TestInputIdFinder.cxx
   IO/TestFile.cxx
   IO/TestGolden.cxx

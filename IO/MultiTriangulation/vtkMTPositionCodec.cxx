@@ -15,26 +15,6 @@ using vtkMTTriangleCodec::None;
 using Wide = vtkMTPositionCodec::Wide;
 using SignedWide __attribute__((vector_size(16))) = std::int32_t;
 
-// Adds a difference to what is expected, in multiples of 2^shift where the point is coarse; the same steps either way,
-// as which it is cannot be predicted.
-struct Rounding
-{
-  Wide Half;
-  Wide Kept;
-  unsigned Shift;
-
-  explicit Rounding(unsigned shift)
-    : Half(Wide{} + ((1u << shift) >> 1))
-    , Kept(Wide{} + (~std::uint32_t(0) << shift))
-    , Shift(shift)
-  {
-  }
-  Wide Apply(const Wide& expected, const Wide& difference) const
-  {
-    return ((expected + this->Half) & this->Kept) + (difference << this->Shift);
-  }
-};
-
 // How many low bits are zero in all three coordinates.
 unsigned CountZeros(const vtkMTPoint& p)
 {
@@ -110,6 +90,9 @@ Wide Widen(const vtkMTPoint& p)
     0 };
 }
 
+constexpr std::size_t BlockSize = vtkMTRiceCode::BlockSize;
+constexpr std::size_t GroupSize = vtkMTRiceCode::Reader::GroupSize;
+
 using Readers = std::array<vtkMTRiceCode::Reader, 3>;
 
 // One for each axis, with the codes of block after block.
@@ -141,6 +124,55 @@ bool MakeReaders(const vtkMTPositionCodec::Source& source, std::size_t points, R
     unary += unarySizes[axis];
   }
   return true;
+}
+
+// Differences are in multiples of 2^shift where the point is coarse; the same steps either way, as which it is cannot
+// be predicted.
+struct Rounding
+{
+  Wide Half;
+  Wide Kept;
+  unsigned Shift;
+
+  explicit Rounding(unsigned shift)
+    : Half(Wide{} + ((1u << shift) >> 1))
+    , Kept(Wide{} + (~std::uint32_t(0) << shift))
+    , Shift(shift)
+  {
+  }
+};
+
+using Group = std::uint32_t[vtkMTRiceCode::Reader::GroupSize][4];
+
+// From codes to places. Each waits for the one at the rear of its gate, which is mostly the last one: what does not
+// need that comes first.
+template <bool IsNear, bool IsShifted>
+void Place(const vtkMTPositionCodec::Source& source, const std::vector<Basis>& bases, const Rounding* roundings,
+  std::size_t begin, std::size_t count, const Group& codes, Wide* places)
+{
+  for (std::size_t i = begin; i < begin + count; ++i)
+  {
+    Wide code;
+    std::memcpy(&code, codes[i - begin], sizeof(code));
+    const Basis basis = GetBasis(bases, i);
+    const Rounding& rounding = roundings[IsShifted && GetBit(source.Coarse, i) ? 1 : 0];
+    const Wide difference = FromZigzags(code) << rounding.Shift;
+    const Wide known = IsShifted ? rounding.Half : difference;
+    Wide place;
+    if (IsNear)
+    {
+      place = Expect(places, basis, GetNear(true)) + known;
+    }
+    else
+    {
+      place = places[basis.A] + (places[basis.B] - places[basis.C] + known);
+    }
+    if (IsShifted)
+    {
+      place = (place & rounding.Kept) + difference;
+    }
+    places[i + 1] = place;
+  }
 }
 
 // The codes of all points, as they are where points are expected at the end of the parallelogram, and nearer.
@@ -241,31 +273,32 @@ bool Decode(const Source& source, const std::vector<Basis>& bases, const vtkMTPo
   {
     places.resize(points + 1);
   }
-  const Wide near = GetNear(source.IsNear);
   const Rounding roundings[2] = { Rounding(0), Rounding(source.Shift) };
-  Wide* const out = places.data();
-  out[0] = Widen(corner);
-  alignas(Wide) std::uint32_t codes[vtkMTRiceCode::BlockSize][4] = {};
+  places[0] = Widen(corner);
+  const auto place = source.IsNear ? (source.Shift > 0 ? Place<true, true> : Place<true, false>)
+                                   : (source.Shift > 0 ? Place<false, true> : Place<false, false>);
+  // One group of codes is read before the one before is placed, so that there is something to do while places wait for
+  // each other.
+  alignas(Wide) Group codes[2] = {};
   const std::size_t blocks = vtkMTRiceCode::GetNumberOfBlocks(points);
-  for (std::size_t block = 0; block < blocks; ++block)
+  std::size_t placed = 0;
+  for (std::size_t begin = 0; begin < points; begin += GroupSize)
   {
-    const std::size_t begin = block * vtkMTRiceCode::BlockSize;
-    const std::size_t count = std::min(vtkMTRiceCode::BlockSize, points - begin);
+    const std::size_t block = begin / BlockSize;
     const unsigned char* const parameters = source.Parameters + block;
-    if (!vtkMTRiceCode::ReadBlock(readers, { parameters[0], parameters[blocks], parameters[2 * blocks] }, count, codes,
+    if (!vtkMTRiceCode::ReadGroup(readers, { parameters[0], parameters[blocks], parameters[2 * blocks] },
+          begin % BlockSize, std::min(BlockSize, points - block * BlockSize), codes[begin / GroupSize % 2],
           std::make_index_sequence<3>()))
     {
       return false;
     }
-    for (std::size_t i = begin; i < begin + count; ++i)
+    if (begin > 0)
     {
-      Wide code;
-      std::memcpy(&code, codes[i - begin], sizeof(code));
-      const Wide expected = Expect(out, GetBasis(bases, i), near);
-      out[i + 1] = source.Shift == 0 ? expected + FromZigzags(code)
-                                     : roundings[GetBit(source.Coarse, i) ? 1 : 0].Apply(expected, FromZigzags(code));
+      place(source, bases, roundings, placed, GroupSize, codes[placed / GroupSize % 2], places.data());
+      placed = begin;
     }
   }
+  place(source, bases, roundings, placed, points - placed, codes[placed / GroupSize % 2], places.data());
   return readers[0].IsAtEnd() && readers[1].IsAtEnd() && readers[2].IsAtEnd();
 }
 }

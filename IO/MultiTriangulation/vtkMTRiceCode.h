@@ -4,7 +4,8 @@
  *
  * A code of parameter k is its value above the k lowest bits in unary, so many zeros and a one, and these k bits. The
  * two parts are in lists of their own: where the k bits are is known at once, and only the ends of the unary codes have
- * to be found one after the other. Several lists are read side by side, as each waits for its own ends alone.
+ * to be found one after the other. Eight codes are taken from a window of 56 bits without a branch, those of several
+ * lists side by side, as each waits for its own ends alone; codes that are longer are read one by one.
  */
 #ifndef vtkMTRiceCode_h
 #define vtkMTRiceCode_h
@@ -48,107 +49,154 @@ class Reader
 public:
   /// So many bytes behind the ends of both parts can be read.
   static constexpr std::size_t Slack = 8;
+  /// So many codes are read together.
+  static constexpr std::size_t GroupSize = 8;
 
   Reader() = default;
   Reader(const unsigned char* low, const unsigned char* unary, std::size_t unarySize)
     : Low(low)
-    , Next(unary)
-    , End(unary + unarySize)
+    , Unary(unary)
+    , End(8 * unarySize)
   {
   }
 
-  /// The low bits of code `i` of the block and some that follow, LoadedBits at least.
-  std::uint64_t LoadLow(std::size_t i, unsigned k) const { return Load(this->Low + i * k / 8) >> (i * k % 8); }
-  static constexpr unsigned LoadedBits = 57;
-
-  /// What the next code has above its low bits; false when the unary codes have ended.
-  bool GetHigh(std::uint64_t& high)
+  /// The next codes of a block, from `first` on, which is a multiple of GroupSize, and as many at most: to codes[0],
+  /// codes[width] and so on. False when the unary codes have ended; what was found may be wrong when they end here.
+  bool Get(std::size_t first, std::size_t count, unsigned k, std::uint32_t* codes, std::size_t width)
   {
-    while (__builtin_expect(this->Word == 0, 0))
-    {
-      if (this->Next >= this->End)
-      {
-        return false;
-      }
-      this->LoadWord();
-    }
-    const std::int64_t one = __builtin_ctzll(this->Word);
-    this->Word &= this->Word - 1;
-    high = static_cast<std::uint64_t>(one - this->At);
-    this->At = one + 1;
-    return true;
+    return count == GroupSize ? this->GetGroup(first, k, codes, width)
+                              : this->GetOneByOne(first, count, k, codes, width);
   }
   void GoToNextBlock(std::size_t codes, unsigned k) { this->Low += GetLowSize(codes, k); }
 
   /// Whether nothing but the zeros that fill the last byte are left.
   bool IsAtEnd() const
   {
-    return this->Word == 0 && this->Next >= this->End && (this->End - this->Next + 8) * 8 - this->At < 8;
+    return this->At <= this->End && this->End - this->At < 8 &&
+      (this->At == this->End || this->Unary[this->At / 8] >> this->At % 8 == 0);
   }
 
 private:
+  static constexpr std::size_t LoadedBits = 57; // at least, from any bit on
+  static constexpr unsigned CertainBits = 64 - GroupSize;
+
+  bool GetGroup(std::size_t first, unsigned k, std::uint32_t* codes, std::size_t width)
+  {
+    if (this->At > this->End)
+    {
+      return false;
+    }
+    // Behind the bits that are certain are as many ones as codes, so that as many are found.
+    std::uint64_t ones = Load(this->Unary + this->At / 8) >> this->At % 8 | ~std::uint64_t(0) << CertainBits;
+    const unsigned char* const low = this->Low + first / GroupSize * k;
+    const unsigned end = 4 * k <= 60 ? GetGroup<4>(ones, low, k, codes, width)
+      : 2 * k <= LoadedBits          ? GetGroup<2>(ones, low, k, codes, width)
+                                     : GetGroup<1>(ones, low, k, codes, width);
+    if (__builtin_expect(end > CertainBits, 0))
+    {
+      return this->GetOneByOne(first, GroupSize, k, codes, width);
+    }
+    this->At += end;
+    return true;
+  }
+  bool GetOneByOne(std::size_t first, std::size_t count, unsigned k, std::uint32_t* codes, std::size_t width)
+  {
+    for (std::size_t i = first; i < first + count; ++i, codes += width)
+    {
+      std::uint64_t high = 0;
+      if (!this->GetHigh(high))
+      {
+        return false;
+      }
+      *codes = static_cast<std::uint32_t>(high << k | (Load(this->Low + i * k / 8) >> i * k % 8 & GetMask(k)));
+    }
+    return true;
+  }
+
   static std::uint64_t Load(const unsigned char* bytes)
   {
     std::uint64_t bits;
     std::memcpy(&bits, bytes, sizeof(bits));
     return bits;
   }
-  void LoadWord()
+  static std::uint64_t GetMask(unsigned k) { return (std::uint64_t(1) << k) - 1; }
+
+  // ones: the ends of the codes. So many have their low bits loaded together. Returns where the last one ends. A
+  // function of its own, so that there are registers for all of it.
+  template <std::size_t Together>
+  [[gnu::noinline]] static unsigned GetGroup(
+    std::uint64_t ones, const unsigned char* low, unsigned k, std::uint32_t* codes, std::size_t width)
   {
-    this->Word = Load(this->Next);
-    const std::ptrdiff_t left = this->End - this->Next;
-    this->Word = left < 8 ? this->Word & ((std::uint64_t(1) << (8 * left)) - 1) : this->Word;
-    this->Next += 8;
-    this->At -= 64;
+    unsigned begin = 0;
+    for (std::size_t i = 0; i < GroupSize; i += Together)
+    {
+      std::uint64_t bits = Load(low + i * k / 8) >> i * k % 8;
+      for (std::size_t j = 0; j < Together; ++j, codes += width)
+      {
+        const auto one = static_cast<unsigned>(__builtin_ctzll(ones));
+        ones &= ones - 1;
+        *codes = (one - begin) << k | static_cast<std::uint32_t>(bits & GetMask(k));
+        bits >>= k;
+        begin = one + 1;
+      }
+    }
+    return begin;
   }
 
-  const unsigned char* Low = nullptr;
-  const unsigned char* Next = nullptr; // behind the present word
-  const unsigned char* End = nullptr;
-  std::uint64_t Word = 0; // its ones that end codes which were not read yet
-  std::int64_t At = 64;   // the bit behind the last code that was read, counted from the word's first one
+  // What the next code has above its low bits; false when the unary codes have ended.
+  bool GetHigh(std::uint64_t& high)
+  {
+    for (; this->At < this->End; this->At += LoadedBits, high += LoadedBits)
+    {
+      const std::uint64_t ones =
+        Load(this->Unary + this->At / 8) >> this->At % 8 & (~std::uint64_t(0) >> (64 - LoadedBits));
+      if (ones != 0)
+      {
+        const auto one = static_cast<unsigned>(__builtin_ctzll(ones));
+        high += one;
+        this->At += one + 1;
+        return this->At <= this->End;
+      }
+    }
+    return false;
+  }
+
+  const unsigned char* Low = nullptr; // of the present block
+  const unsigned char* Unary = nullptr;
+  std::size_t At = 0;  // the bit behind the last code that was read
+  std::size_t End = 0; // of the bits
 };
 
-/// As many of the next codes of some lists as are a multiple of Group, from code i on; see ReadBlock.
-template <std::size_t Group, std::size_t Width, std::size_t... L>
-bool ReadGroups(std::array<Reader, sizeof...(L)>& readers, const std::array<unsigned, sizeof...(L)>& parameters,
-  std::size_t& i, std::size_t count, std::uint32_t (*codes)[Width], std::index_sequence<L...> /* lists */)
+/// The codes from `first` on of a block of `count`, at most Reader::GroupSize, of each of some lists: puts code i of
+/// list l, counted from the first of them, to codes[i][l]. Groups follow each other; after the last one the readers are
+/// at the next block. False when the unary codes of one have ended.
+template <std::size_t Width, std::size_t... L>
+bool ReadGroup(std::array<Reader, sizeof...(L)>& readers, const std::array<unsigned, sizeof...(L)>& parameters,
+  std::size_t first, std::size_t count, std::uint32_t (*codes)[Width], std::index_sequence<L...> /* lists */)
 {
-  std::array<Reader, sizeof...(L)> local = readers; // in registers
-  const std::array<std::uint64_t, sizeof...(L)> masks = { (std::uint64_t(1) << parameters[L]) - 1 ... };
-  for (; i + Group <= count; i += Group)
+  const std::size_t size = std::min(count - first, Reader::GroupSize);
+  if (!(readers[L].Get(first, size, parameters[L], codes[0] + L, Width) && ...))
   {
-    std::array<std::uint64_t, sizeof...(L)> low = { local[L].LoadLow(i, parameters[L])... };
-    for (std::size_t g = 0; g < Group; ++g)
-    {
-      std::array<std::uint64_t, sizeof...(L)> high{};
-      if (!(local[L].GetHigh(high[L]) && ...))
-      {
-        return false;
-      }
-      ((codes[i + g][L] = static_cast<std::uint32_t>((high[L] << parameters[L]) | (low[L] & masks[L]))), ...);
-      ((low[L] >>= parameters[L]), ...);
-    }
+    return false;
   }
-  readers = local;
+  if (first + size == count)
+  {
+    (readers[L].GoToNextBlock(count, parameters[L]), ...);
+  }
   return true;
 }
 
 /// The next block of each of some lists: puts code i of list l, of which there are `count` in each, to codes[i][l].
-/// False when the unary codes of one have ended.
 template <std::size_t Width, std::size_t... L>
 bool ReadBlock(std::array<Reader, sizeof...(L)>& readers, const std::array<unsigned, sizeof...(L)>& parameters,
   std::size_t count, std::uint32_t (*codes)[Width], std::index_sequence<L...> lists)
 {
   std::size_t i = 0;
-  const unsigned most = std::max({ parameters[L]... });
-  if ((4 * most <= Reader::LoadedBits && !ReadGroups<4>(readers, parameters, i, count, codes, lists)) ||
-    !ReadGroups<1>(readers, parameters, i, count, codes, lists))
+  while (i < count && ReadGroup(readers, parameters, i, count, codes + i, lists))
   {
-    return false;
+    i += Reader::GroupSize;
   }
-  (readers[L].GoToNextBlock(count, parameters[L]), ...);
-  return true;
+  return i >= count;
 }
 }
 

@@ -21,36 +21,48 @@ public:
   // How many ones; too many when the bits have ended, or some time after.
   unsigned Get()
   {
-    if (this->Have <= TooManyOnes)
+    const unsigned ones = this->See();
+    this->Skip(ones);
+    return ones;
+  }
+  // The same without going on.
+  unsigned See()
+  {
+    if (this->Pending <= FewPending)
     {
-      if (this->At > this->Size)
+      const std::size_t at = this->GetTaken();
+      if (at / 8 > this->Size)
       {
         return TooManyOnes;
       }
       std::uint64_t more;
-      std::memcpy(&more, this->Bytes + this->At, sizeof(more));
-      this->Pending |= ~more << this->Have;
-      this->At += (63 - this->Have) / 8;
-      this->Have |= 56;
+      std::memcpy(&more, this->Bytes + at / 8, sizeof(more));
+      this->Pending = (~more | EndOfPending) >> (at % 8);
+      this->Loaded = at - at % 8 + 63;
     }
-    const auto ones = static_cast<unsigned>(__builtin_ctzll(this->Pending | (std::uint64_t(1) << TooManyOnes)));
-    this->Pending = this->Pending >> ones >> 1;
-    this->Have -= ones + 1;
-    return ones;
+    return static_cast<unsigned>(__builtin_ctzll(this->Pending | (std::uint64_t(1) << TooManyOnes)));
   }
+  void Skip(unsigned ones) { this->Pending = this->Pending >> ones >> 1; }
   // Whether no more bits were taken than there are, and nothing but the zeros that fill the last byte are left.
   bool IsAtEnd() const
   {
-    const std::size_t taken = 8 * this->At - this->Have;
+    const std::size_t taken = this->GetTaken();
     return (taken + 7) / 8 == this->Size && (taken % 8 == 0 || this->Bytes[this->Size - 1] >> (taken % 8) == 0);
   }
 
 private:
+  std::size_t GetTaken() const
+  {
+    return this->Loaded - (63 - static_cast<std::size_t>(__builtin_clzll(this->Pending)));
+  }
+
+  static constexpr std::uint64_t EndOfPending = std::uint64_t(1) << 63;
+  static constexpr std::uint64_t FewPending = (std::uint64_t(2) << TooManyOnes) - 1;
+
   const unsigned char* Bytes;
   std::size_t Size;
-  std::size_t At = 0;
-  std::uint64_t Pending = 0; // the bits, inverted
-  unsigned Have = 0;
+  std::size_t Loaded = 0;    // bits
+  std::uint64_t Pending = 1; // those of them that are left, inverted, with a one behind the last
 };
 
 // The names as vtkMTTriangleEncoder.cxx writes them.
@@ -133,7 +145,7 @@ public:
     : Now{ Front(out.NumberOfTriangles, out.Work), steps, 0, 0, 0 }
     , Names(names)
     , Triangles(EnsureSize(out.Triangles, out.NumberOfTriangles))
-    , Bases(EnsureSize(out.Bases, out.NumberOfVertices + std::size_t(1))) // one to write to where no vertex is new
+    , Bases(EnsureSize(out.Bases, std::size_t(out.NumberOfVertices) + out.NumberOfTriangles + 1))
     , BorderGates(EnsureSize(out.Work.BorderGates, 3 * std::size_t(out.NumberOfTriangles)))
     , Out(out)
   {
@@ -201,7 +213,9 @@ private:
       const Step step = Steps[now.Growing.GetSituation() + ones];
       if (__builtin_expect(step <= New, 1))
       {
-        this->TakeNear(now, step);
+        static_assert(Ahead == 0 && New == 1);
+        this->Grow(now, step ^ New);
+        this->GrowOn(now, end);
         if (now.Met > most)
         {
           return false;
@@ -225,25 +239,40 @@ private:
     return true;
   }
 
-  // The next vertex or the one ahead.
-  [[gnu::always_inline]] void TakeNear(Cursor& now, Step step)
+  // To the next vertex or, where isJoin is 1, to the one ahead.
+  [[gnu::always_inline]] void Grow(Cursor& now, std::uint32_t isJoin)
   {
-    static_assert(Ahead == 0 && New == 1);
-    std::uint32_t isNew = 0u - step;
-    asm("" : "+r"(isNew)); // otherwise the compiler makes a branch of it, which is guessed wrong half of the time
+    asm("" : "+r"(isJoin)); // otherwise the compiler makes a branch of it, which is guessed wrong half of the time
     const Front& front = now.Growing;
-    const std::uint32_t third = Front::Pick(isNew, now.Met, front.GetAhead());
     std::array<std::uint32_t, 4>& triangle = this->Triangles[now.Done];
-    triangle[front.IsForward() ^ 1] = front.GetHinge();
-    triangle[front.IsForward()] = front.GetRear();
-    triangle[2] = third;
-    triangle[3] = front.GetOwner();
     Basis& basis = this->Bases[now.Met];
-    basis.A = front.GetRear();
-    basis.B = front.GetHinge();
+    const std::uint64_t ends = front.GetEnds();
+    const std::uint64_t toAndFrom = front.GetToAndFrom();
+    const std::uint64_t owner = front.GetOwner();
+    std::memcpy(&basis.A, &ends, sizeof(ends)); // and B
     basis.C = front.GetAcross();
-    now.Growing.Grow(isNew, third, now.Done++);
-    now.Met -= isNew;
+    const std::uint64_t third = now.Growing.Grow(isJoin, now.Met, now.Done++) | owner << 32;
+    std::memcpy(triangle.data(), &toAndFrom, sizeof(toAndFrom));
+    std::memcpy(triangle.data() + 2, &third, sizeof(third));
+    now.Met += 1 - isJoin;
+  }
+
+  // While the gate is between two that are open, and grew last, that it does so again is one bit or two, and nothing
+  // else has to be known of the front. So what is next does not wait for what was done.
+  [[gnu::always_inline]] void GrowOn(Cursor& now, std::uint32_t end)
+  {
+    static_assert(Steps[AfterAhead] == New && Steps[AfterAhead + 1] == Ahead);
+    static_assert(Steps[AfterNew] == New && Steps[AfterNew + 1] == Ahead);
+    while (now.Growing.IsBetweenOpen() && !now.Growing.IsUnsettled() && now.Done < end)
+    {
+      const unsigned ones = now.Steps.See();
+      if (__builtin_expect(ones > 1, 0))
+      {
+        break;
+      }
+      now.Steps.Skip(ones);
+      this->Grow(now, ones);
+    }
   }
 
   [[gnu::always_inline]] bool TakeOther(Cursor& now, Step step)

@@ -157,8 +157,8 @@ struct Side
     gate->Owner = owner;
     gate->State = state;
   }
-  // The nearest gate becomes one that is so many bytes farther on in memory.
-  void Move(std::size_t bytes) { this->Last = reinterpret_cast<Gate*>(reinterpret_cast<char*>(this->Last) + bytes); }
+  // By gates that take so many bytes.
+  void Shorten(std::size_t bytes) { this->Last = reinterpret_cast<Gate*>(reinterpret_cast<char*>(this->Last) - bytes); }
 };
 
 //------------------------------------------------------------------------------
@@ -180,16 +180,20 @@ public:
     this->BehindSide.Clear();
   }
 
-  bool HasGate() const { return this->Hinge != None; }
-  std::uint32_t GetHinge() const { return this->Hinge; }
-  std::uint32_t GetRear() const { return this->Rear; }
+  bool HasGate() const { return this->GetHinge() != None; }
+  std::uint32_t GetHinge() const { return static_cast<std::uint32_t>(this->Ends >> 32); }
+  std::uint32_t GetRear() const { return static_cast<std::uint32_t>(this->Ends); }
+  // The rear in the low half, the hinge in the high one.
+  std::uint64_t GetEnds() const { return this->Ends; }
+  // Where the gate runs to in the low half, where it comes from in the high one: the ends as they are, or exchanged.
+  std::uint64_t GetToAndFrom() const
+  {
+    return this->Ends >> this->Forward | this->Ends << ((64 - this->Forward) % 64); // without a branch
+  }
   std::uint32_t GetAcross() const { return this->Across; }
   std::uint32_t GetOwner() const { return this->Owner; }
-  // 1: the gate runs from its rear to its hinge; 0: the other way round.
-  std::uint32_t IsForward() const { return this->Forward; }
-  // Without a branch, as the gate may run either way.
-  std::uint32_t GetFrom() const { return this->Hinge ^ ((this->Hinge ^ this->Rear) & (0u - this->Forward)); }
-  std::uint32_t GetTo() const { return this->Rear ^ ((this->Hinge ^ this->Rear) & (0u - this->Forward)); }
+  std::uint32_t GetFrom() const { return static_cast<std::uint32_t>(this->GetToAndFrom() >> 32); }
+  std::uint32_t GetTo() const { return static_cast<std::uint32_t>(this->GetToAndFrom()); }
 
   bool IsAheadOpen() const { return this->AheadSide.IsOpen(); }
   bool IsBehindOpen() const { return this->BehindSide.IsOpen(); }
@@ -216,7 +220,7 @@ public:
   {
     this->AheadSide.Clear();
     this->BehindSide.Clear();
-    this->Forward = 1;
+    this->Forward = 32;
     this->Joined = 0;
     this->Set(t[0], t[1], t[2], triangle, AfterAhead);
     this->AheadSide.Push(t[0], t[1], triangle, Gate::Open);
@@ -227,63 +231,66 @@ public:
   // The gate gives way to two that go by the third vertex; the one at the hinge is the next.
   vtkMTInlined void Split(std::uint32_t vertex, std::uint32_t triangle, SituationType past)
   {
-    this->BehindSide.Push(this->Rear, this->Hinge, triangle, Gate::Open);
-    this->Set(vertex, this->Hinge, this->Rear, triangle, past);
+    this->BehindSide.Push(this->GetRear(), this->GetHinge(), triangle, Gate::Open);
+    this->Set(vertex, this->GetHinge(), this->GetRear(), triangle, past);
     this->Settle();
   }
   // The third vertex is on the front behind: what is between it and the rear is gone around first.
   vtkMTInlined void SplitBehind(std::uint32_t vertex, std::uint32_t triangle)
   {
-    this->AheadSide.Push(this->Hinge, this->Rear, triangle, Gate::Open);
-    this->Set(this->Rear, vertex, this->Hinge, triangle, AfterOther);
+    this->AheadSide.Push(this->GetHinge(), this->GetRear(), triangle, Gate::Open);
+    this->Set(this->GetRear(), vertex, this->GetHinge(), triangle, AfterOther);
     this->Turn();
     this->Settle();
   }
   // The gate and the one ahead or behind give way to one.
   vtkMTInlined void JoinAhead(std::uint32_t triangle)
   {
-    this->Set(this->Rear, this->AheadSide.Last->Vertex, this->Hinge, triangle, AfterAhead);
+    this->Set(this->GetRear(), this->AheadSide.Last->Vertex, this->GetHinge(), triangle, AfterAhead);
     --this->AheadSide.Last;
     ++this->Joined;
     this->Settle();
   }
   vtkMTInlined void JoinBehind(std::uint32_t triangle)
   {
-    this->Set(this->BehindSide.Last->Vertex, this->Hinge, this->Rear, triangle, AfterOther);
+    this->Set(this->BehindSide.Last->Vertex, this->GetHinge(), this->GetRear(), triangle, AfterOther);
     --this->BehindSide.Last;
     this->Settle();
   }
 
-  // Split (after which the vertex is the rear) where all bits of the mask are set, join ahead (after which the vertex
-  // is the hinge) where none is: unpredictable, so both take the same steps. It is to be settled after that.
-  vtkMTInlined void Grow(std::uint32_t mask, std::uint32_t vertex, std::uint32_t triangle)
+  // Split, after which the vertex is the rear, or join ahead (isJoin is 1), after which the vertex is the hinge and
+  // which is taken from there: unpredictable, so both take the same steps. It is to be settled after that. Returns the
+  // vertex.
+  vtkMTInlined std::uint32_t Grow(std::uint32_t isJoin, std::uint32_t vertex, std::uint32_t triangle)
   {
     Gate* const behind = this->BehindSide.Last + 1; // just memory when this is a join
-    behind->Vertex = this->Rear;
-    behind->Across = this->Hinge;
-    behind->Owner = triangle;
-    behind->State = Gate::Open;
-    const std::size_t pushed = mask & sizeof(Gate);
-    this->BehindSide.Move(pushed);
-    --this->AheadSide.Last;
-    this->AheadSide.Move(pushed);
-    this->Across = Pick(mask, this->Rear, this->Hinge);
-    this->Rear = Pick(mask, vertex, this->Rear);
-    this->Hinge = Pick(mask, this->Hinge, vertex);
+    const std::uint64_t open = triangle;
+    static_assert(Gate::Open == 0);
+    std::memcpy(&behind->Vertex, &this->Ends, sizeof(this->Ends)); // and Across
+    std::memcpy(&behind->Owner, &open, sizeof(open));              // and State
+    const std::uint32_t third = vertex ^ ((vertex ^ this->AheadSide.Last->Vertex) & (0u - isJoin));
+    const std::size_t joined = isJoin * sizeof(Gate);
+    this->AheadSide.Shorten(joined);
+    this->BehindSide.Last = behind;
+    this->BehindSide.Shorten(joined);
+    // The end that is replaced is across the new gate.
+    const std::uint32_t place = 32 * isJoin;
+    this->Across = static_cast<std::uint32_t>(this->Ends >> place);
+    this->Ends ^= std::uint64_t(this->Across ^ third) << place;
     this->Owner = triangle;
-    this->Joined += mask + 1;
-    this->Past = mask & AfterNew;
+    this->Joined += isJoin;
+    this->Past = AfterNew ^ place;
+    return third;
   }
-  // The first number where all bits of the mask are set, the second one where none is.
-  static std::uint32_t Pick(std::uint32_t mask, std::uint32_t a, std::uint32_t b) { return b ^ ((a ^ b) & mask); }
 
   // Whether Settle has something to do after Grow.
   bool IsUnsettled() const
   {
     const Gate& ahead = *this->AheadSide.Last;
-    return ahead.Vertex == this->Rear || this->BehindSide.Last->Vertex == this->Hinge || ahead.State == Gate::End ||
-      this->Joined >= SweepLength;
+    return ahead.Vertex == this->GetRear() || this->BehindSide.Last->Vertex == this->GetHinge() ||
+      ahead.State == Gate::End || this->Joined >= SweepLength;
   }
+  bool IsBetweenOpen() const { return (this->AheadSide.Last->State | this->BehindSide.Last->State) == Gate::Open; }
   vtkMTInlined void Settle()
   {
     this->Refill();
@@ -304,9 +311,9 @@ public:
   {
     const bool isAhead = this->AheadSide.IsClosed();
     const bool isBehind = this->BehindSide.IsClosed();
-    this->AheadSide.Push(this->Hinge, None, None, Gate::Closed);
+    this->AheadSide.Push(this->GetHinge(), None, None, Gate::Closed);
     this->AheadSide.Last -= static_cast<std::ptrdiff_t>(isAhead | isBehind);
-    this->Take(Pick(0u - static_cast<std::uint32_t>(!isAhead & isBehind), this->Hinge, this->Rear));
+    this->Take(static_cast<std::uint32_t>(this->Ends >> (!isAhead & isBehind ? 32 : 0)));
   }
 
   // Calls see(from, to) for the gates that are not closed: the present one, those ahead, those behind, nearest first.
@@ -316,8 +323,8 @@ public:
     if (this->HasGate())
     {
       see(this->GetFrom(), this->GetTo());
-      SeeOpen(this->AheadSide, this->Hinge, this->Forward != 0, see);
-      SeeOpen(this->BehindSide, this->Rear, this->Forward == 0, see);
+      SeeOpen(this->AheadSide, this->GetHinge(), this->Forward != 0, see);
+      SeeOpen(this->BehindSide, this->GetRear(), this->Forward == 0, see);
     }
   }
 
@@ -328,8 +335,7 @@ private:
   vtkMTInlined void Set(
     std::uint32_t rear, std::uint32_t hinge, std::uint32_t across, std::uint32_t owner, std::uint32_t past)
   {
-    this->Rear = rear;
-    this->Hinge = hinge;
+    this->Ends = rear | std::uint64_t(hinge) << 32;
     this->Across = across;
     this->Owner = owner;
     this->Past = past;
@@ -338,8 +344,8 @@ private:
   vtkMTInlined void Turn()
   {
     std::swap(this->AheadSide, this->BehindSide);
-    std::swap(this->Hinge, this->Rear);
-    this->Forward ^= 1;
+    this->Ends = this->Ends >> 32 | this->Ends << 32;
+    this->Forward ^= 32;
     this->Joined = 0;
   }
 
@@ -372,16 +378,16 @@ private:
   // vertex at which what is left meets.
   vtkMTInlined bool Meet(std::uint32_t& here)
   {
-    if (this->AheadSide.IsOpenTo(this->Rear))
+    if (this->AheadSide.IsOpenTo(this->GetRear()))
     {
       --this->AheadSide.Last;
-      here = this->Rear;
+      here = this->GetRear();
       return true;
     }
-    if (this->BehindSide.IsOpenTo(this->Hinge))
+    if (this->BehindSide.IsOpenTo(this->GetHinge()))
     {
       --this->BehindSide.Last;
-      here = this->Hinge;
+      here = this->GetHinge();
       return true;
     }
     return false;
@@ -397,7 +403,7 @@ private:
       {
         if (this->AheadSide.IsEmpty() || this->BehindSide.IsEmpty())
         {
-          this->Hinge = None;
+          this->Ends = NoEnds;
           return;
         }
         here = this->BehindSide.Last->Vertex; // what is closed on both sides becomes one
@@ -428,13 +434,13 @@ private:
 
   Side AheadSide;
   Side BehindSide;
-  std::uint32_t Hinge = None;
-  std::uint32_t Rear = None;
+  static constexpr std::uint64_t NoEnds = ~std::uint64_t(0);
+  std::uint64_t Ends = NoEnds;
   std::uint32_t Across = None;
   std::uint32_t Owner = None;
   std::uint32_t Past = AfterAhead;
-  std::uint32_t Joined = 0; // since the last turn
-  std::uint32_t Forward = 1;
+  std::uint32_t Joined = 0;   // since the last turn
+  std::uint32_t Forward = 32; // the gate runs from its rear to its hinge; 0: the other way round
 };
 }
 }
