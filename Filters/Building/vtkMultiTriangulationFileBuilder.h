@@ -24,10 +24,10 @@
  *
  * Update builds when a setting has changed since the last build, Write in any case: also when that one failed, or when
  * files have changed. Both report progress with a text (ProgressEvent, GetProgressText) and can be aborted
- * (AbortExecute, which Write takes back before it begins). When that, an error or the end of the process interrupts a build that uses temporary files, these
- * stay in the folder GetWorkFolder as far as they are a checkpoint, from which a build with Resume goes on to the same
- * bytes. On failure ErrorEvent is invoked, nothing is thrown, and
- * GetErrorCode and GetErrorMessage say why.
+ * (AbortExecute, which Write takes back before it begins). When that, an error or the end of the process interrupts a
+ * build that uses temporary files, these stay in the folder GetWorkFolder as far as they are a checkpoint, from which a
+ * build with Resume goes on to the same bytes. On failure ErrorEvent is invoked, nothing is thrown, and GetErrorCode
+ * and GetErrorMessage say why.
  *
  * @code
  * vtkNew<vtkMultiTriangulationFileBuilder> builder;
