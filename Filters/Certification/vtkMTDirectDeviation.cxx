@@ -111,7 +111,8 @@ private:
       const auto [range, halvings] = parts.back();
       parts.pop_back();
       vtkMTDirectDeviation::FinerPart part;
-      part.Most = vtkMTDirectDeviation::MostPerTriangle * this->Floor.Surface.GetNumberOfTriangles();
+      part.Most = vtkMTDirectDeviation::MostPerTriangle *
+        std::max(vtkMTDirectDeviation::LeastFloor, this->Floor.Surface.GetNumberOfTriangles());
       if (!this->Collect({ { this->Fragment, known }, range, this->Least }, levelsBelow, part, error))
       {
         return false;

@@ -55,8 +55,10 @@ public:
   }
   ///@}
   /// Triangles of the finer mesh per triangle of the floor that are in memory at a time, at most: where it would be
-  /// more, the fragment is worked on part by part.
+  /// more, the fragment is worked on part by part. A floor counts as of this size at least: near the top they are
+  /// smaller, and sums so large that all is near.
   static constexpr std::size_t MostPerTriangle = 4;
+  static constexpr std::size_t LeastFloor = 4096;
 
   using Deviations = std::vector<vtkMTTriangleDeviation>;
 

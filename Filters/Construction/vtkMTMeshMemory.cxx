@@ -6,6 +6,8 @@
 #include "vtkMTDirectDeviation.h"
 #include "vtkMTTriangleStream.h"
 
+#include <algorithm>
+
 namespace
 {
 constexpr double MiB = 1024.0 * 1024.0;
@@ -47,8 +49,9 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   const double values = 1.0 * pointValues + cellValues;
   const double ofTriangle = 0.5 * pointValues + cellValues; // there are half as many points
   const double record = PerRecordTriangle + ofTriangle;
-  const double perFloorTriangle =
-    PerFloorTriangle + (settings.KeepsFinerLevels() ? PerFinerTriangle * vtkMTDirectDeviation::MostPerTriangle : 0.0);
+  const double finerOfFloor =
+    settings.KeepsFinerLevels() ? PerFinerTriangle * vtkMTDirectDeviation::MostPerTriangle : 0.0;
+  const double perFloorTriangle = PerFloorTriangle + finerOfFloor;
   this->PerByteSimplified = (perFloorTriangle + CopiesOfFloor * ofTriangle) / record;
   this->PerByteSplit = (PerSplitTriangle + CopiesOfSplit * ofTriangle) / record;
   const double patches = 2.2 * triangles / static_cast<double>(settings.PatchTriangles) + 16.0;
@@ -57,7 +60,9 @@ vtkMTMeshMemory::vtkMTMeshMemory(const vtkMTTriangleStream& input, const vtkMTBu
   const double regions = triangles / settings.GetRegionTarget() + 16.0;
   this->Needs.Standing = Base + blocks + triangles * Sample + patches * PerPatch + regions * PerRegion;
   // A region for each thread, and half a one that waits to be taken over.
-  this->Needs.Work = (settings.Threads + 0.5) * settings.GetFloorTarget() * this->PerByteSimplified * record;
+  const double smaller = std::max(0.0, vtkMTDirectDeviation::LeastFloor - settings.GetFloorTarget());
+  this->Needs.Work =
+    (settings.Threads + 0.5) * (settings.GetFloorTarget() * this->PerByteSimplified * record + finerOfFloor * smaller);
   this->Needs.Blocks = 0.5 * Base + blocks;
   // The largest sorts that are alive at a time: places and edges, or triangles and points by region.
   this->Needs.Sorts = 16.0 * MiB + 4.0 * (triangles + points) * (96.0 + values);
