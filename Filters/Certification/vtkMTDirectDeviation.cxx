@@ -44,6 +44,7 @@ public:
   bool Run(const vtkMTDirectDeviation::Aim& aim, std::string& error)
   {
     this->State.Loose = aim.Looseness;
+    this->LeastFloor = aim.LeastFloor;
     if (!this->Probe(aim.LevelsBelow, error))
     {
       return false;
@@ -111,8 +112,8 @@ private:
       const auto [range, halvings] = parts.back();
       parts.pop_back();
       vtkMTDirectDeviation::FinerPart part;
-      part.Most = vtkMTDirectDeviation::MostPerTriangle *
-        std::max(vtkMTDirectDeviation::LeastFloor, this->Floor.Surface.GetNumberOfTriangles());
+      part.Most =
+        vtkMTDirectDeviation::MostPerTriangle * std::max(this->LeastFloor, this->Floor.Surface.GetNumberOfTriangles());
       if (!this->Collect({ { this->Fragment, known }, range, this->Least }, levelsBelow, part, error))
       {
         return false;
@@ -143,6 +144,7 @@ private:
   Deviations& Known;
   Improver::State State{ 1.0 };
   double Least = 0.0; // of what is known of triangles that are looked at
+  std::size_t LeastFloor = 0;
 };
 }
 

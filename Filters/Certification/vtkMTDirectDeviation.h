@@ -108,6 +108,7 @@ public:
   {
     std::size_t LevelsBelow; ///< 2 or more
     double Looseness;        ///< above 1
+    std::size_t LeastFloor = vtkMTDirectDeviation::LeastFloor;
   };
   /// Lowers what is known of the fragment's triangles. Surfaces are relative to origin, in steps. False on failure,
   /// with a message in error.

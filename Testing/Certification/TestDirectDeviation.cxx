@@ -140,7 +140,8 @@ public:
   }
 
   // The finer mesh is so many levels below; what is nearer is a mesh of every second point.
-  void Improve(const vtkMTSurface& floor, const Deviations& ofFloor, std::size_t levelsBelow = 2)
+  void Improve(const vtkMTSurface& floor, const Deviations& ofFloor, std::size_t levelsBelow = 2,
+    std::size_t leastFloor = vtkMTDirectDeviation::LeastFloor)
   {
     const vtkMTPatch betweenMesh = this->Heights.MakeMesh(2);
     const vtkMTSurface between(betweenMesh, Origin);
@@ -166,7 +167,7 @@ public:
     };
     std::string error;
     ASSERT_TRUE(vtkMTDirectDeviation::Improve({ floor, ofFloor }, this->Fragment, Origin,
-      { levelsBelow, vtkMTDirectDeviation::Looseness }, collect, this->Known, error))
+      { levelsBelow, vtkMTDirectDeviation::Looseness, leastFloor }, collect, this->Known, error))
       << error;
   }
 
@@ -316,10 +317,14 @@ TEST(DirectDeviation, WorksPartByPartWhereTheFinerMeshIsLarge)
   Half half(3, 0.0f);
   const vtkMTSurface coarse(half.Heights.MakeMesh(4, FieldCells / 2), Origin);
   const Deviations ofCoarse(coarse.GetNumberOfTriangles(), { 0.0f, static_cast<float>(half.True), 0, 0 });
-  half.Improve(coarse, ofCoarse); // of which there are so few that the finer mesh is too large for them
+  // Of which there are so few that the finer mesh is too large for them, unless they count as more.
+  Half counted = half;
+  half.Improve(coarse, ofCoarse, 2, 1);
+  counted.Improve(coarse, ofCoarse);
   std::cout << whole.Parts << " and " << half.Parts << " parts, " << GetLargest(whole.Known) << " and "
             << GetLargest(half.Known) << " steps\n";
   EXPECT_GT(half.Parts, whole.Parts);
+  EXPECT_EQ(counted.Parts, whole.Parts);
   EXPECT_LT(GetLargest(half.Known), 2.4 * half.True);
   EXPECT_EQ(half.CountViolations(3, 1500), 0);
 }
