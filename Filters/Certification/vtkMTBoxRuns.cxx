@@ -42,7 +42,8 @@ vtkMTBoxRuns::vtkMTBoxRuns(std::vector<Box> boxes)
 }
 
 //------------------------------------------------------------------------------
-// Of boxes with a margin that is enough for the largest; at least one run. Nothing touches what is missing in the last.
+// Of boxes with a margin that is enough for the largest; at least one run. What is missing in the last is no number, so
+// that not even a question without bounds touches it.
 std::vector<vtkMTBoxRuns::Run> vtkMTBoxRuns::MakeRuns(const std::vector<Box>& boxes, double margin)
 {
   std::vector<Run> runs(std::max<std::size_t>(1, (boxes.size() + Length - 1) / Length));
@@ -57,11 +58,10 @@ std::vector<vtkMTBoxRuns::Run> vtkMTBoxRuns::MakeRuns(const std::vector<Box>& bo
   }
   for (std::size_t i = boxes.size(); i < Length * runs.size(); ++i)
   {
-    constexpr float inf = std::numeric_limits<float>::infinity();
     for (int c = 0; c < 3; ++c)
     {
-      runs.back().Low[c][i % Length] = inf;
-      runs.back().High[c][i % Length] = -inf;
+      runs.back().Low[c][i % Length] = std::numeric_limits<float>::quiet_NaN();
+      runs.back().High[c][i % Length] = std::numeric_limits<float>::quiet_NaN();
     }
   }
   return runs;
