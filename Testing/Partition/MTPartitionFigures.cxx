@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MTPartitionFigures.h"
 
-#include "vtkMTPartitionStrategy.h"
+#include "vtkMTArrayScan.h"
 
 #include <algorithm>
 #include <ctime>
@@ -11,6 +11,13 @@
 
 namespace MTPartitionTest
 {
+std::unique_ptr<vtkMTPartition> BuildPartition(
+  const vtkMTPartitionStrategy* strategy, const Points& barycentres, double target, int level)
+{
+  vtkMTArrayScan scan(barycentres);
+  return strategy->Build(scan, target, level);
+}
+
 Regions LocateAll(const vtkMTPartition& partition, const Points& barycentres)
 {
   Regions regions(barycentres.size());

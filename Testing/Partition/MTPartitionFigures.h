@@ -5,7 +5,9 @@
 
 #include "MTPartitionMeshes.h"
 #include "vtkMTPartition.h"
+#include "vtkMTPartitionStrategy.h"
 
+#include <memory>
 #include <string>
 
 namespace MTPartitionTest
@@ -55,6 +57,10 @@ Elements MeasureCrossing(const Regions& first, const Regions& second);
 /// Seconds of processor time that this process has taken, of all its threads: what other processes do has little
 /// influence.
 double GetSeconds();
+
+/// The regions of some triangles by a strategy.
+std::unique_ptr<vtkMTPartition> BuildPartition(
+  const vtkMTPartitionStrategy* strategy, const Points& barycentres, double target, int level);
 }
 
 #endif

@@ -2,7 +2,6 @@
 // Subdivided planes and spheres: squares and hexagons.
 #include "MTPartitionFigures.h"
 #include "MTPartitionStrategies.h"
-#include "vtkMTArrayScan.h"
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
@@ -19,13 +18,6 @@ using namespace MTPartitionTest;
 
 namespace
 {
-std::unique_ptr<vtkMTPartition> MakePartition(
-  const vtkMTPartitionStrategy* strategy, const Points& barycentres, double target, int level)
-{
-  vtkMTArrayScan scan(barycentres);
-  return strategy->Build(scan, target, level);
-}
-
 // The regions of a sequence whose target grows by the reduction.
 std::vector<Regions> BuildSequence(const vtkMTPartitionStrategy* strategy, const Points& barycentres, double target)
 {
@@ -33,7 +25,7 @@ std::vector<Regions> BuildSequence(const vtkMTPartitionStrategy* strategy, const
   std::uint32_t regions = 0;
   for (int level = 0; regions != 1; ++level, target *= strategy->GetReduction())
   {
-    const auto partition = MakePartition(strategy, barycentres, target, level);
+    const auto partition = BuildPartition(strategy, barycentres, target, level);
     regions = partition->GetNumberOfRegions();
     sequence.push_back(LocateAll(*partition, barycentres));
   }
@@ -193,7 +185,7 @@ TEST(DomainPartition, TheDomainFollowsTheBoxUnlessItIsChosen)
     const auto locate = [&](const Points& points, int type)
     {
       domain->SetDomain(type);
-      return LocateAll(*MakePartition(strategy, points, 300.0, 1), points);
+      return LocateAll(*BuildPartition(strategy, points, 300.0, 1), points);
     };
     const Points sphere = MakeFractalSphere(5).GetBarycentres();
     const Points flat = Scale(sphere, { 0.45, 1.0, 1.0 });
@@ -220,7 +212,7 @@ TEST(DomainPartition, SheetsAboveOneAnotherAreDividedToo)
   }
   for (const std::string name : { "Quad", "Hexagon" })
   {
-    const auto partition = MakePartition(MakeStrategy(name), sheets, 100.0, 0);
+    const auto partition = BuildPartition(MakeStrategy(name), sheets, 100.0, 0);
     const Figures figures = Measure(*partition, sheets, 100.0);
     Print(name, figures);
     EXPECT_EQ(figures.Overfull, 0u);
@@ -237,7 +229,7 @@ TEST(DomainPartition, DenseRegionsAreReplaced)
   points.insert(points.end(), wide.begin(), wide.end());
   for (const std::string name : { "Quad", "Hexagon" })
   {
-    const auto partition = MakePartition(MakeStrategy(name), points, 100.0, 0);
+    const auto partition = BuildPartition(MakeStrategy(name), points, 100.0, 0);
     const Figures figures = Measure(*partition, points, 100.0);
     Print(name, figures);
     EXPECT_EQ(figures.Overfull, 0u);
@@ -252,7 +244,7 @@ TEST(HexagonPartition, RegionsAreNearestToTheirMiddles)
   vtkNew<vtkMTHexagonPartition> strategy;
   for (const double target : { 2000.0, 6000.0 })
   {
-    const auto partition = MakePartition(strategy, points, target, 0);
+    const auto partition = BuildPartition(strategy, points, target, 0);
     const Regions regions = LocateAll(*partition, points);
     std::vector<std::array<double, 3>> sums(partition->GetNumberOfRegions());
     for (std::size_t i = 0; i < points.size(); ++i)

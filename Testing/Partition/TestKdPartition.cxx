@@ -19,16 +19,6 @@
 
 using namespace MTPartitionTest;
 
-namespace
-{
-std::unique_ptr<vtkMTPartition> Build(
-  const vtkMTPartitionStrategy* strategy, const Points& barycentres, double target, int level)
-{
-  vtkMTArrayScan scan(barycentres);
-  return strategy->Build(scan, target, level);
-}
-}
-
 TEST(StreamShuffle, StreamNTakesOneOfTwoToTheN)
 {
   constexpr std::uint64_t numbers = 1u << 20;
@@ -99,8 +89,8 @@ TEST(KdPartition, PartitionsOfSuccessiveLevelsShareFewBorders)
   vtkNew<vtkMTKdPartition> strategy;
   const auto share = [&](int level, int next)
   {
-    const auto first = Build(strategy, barycentres, 1000.0, level);
-    const auto second = Build(strategy, barycentres, 2000.0, next);
+    const auto first = BuildPartition(strategy, barycentres, 1000.0, level);
+    const auto second = BuildPartition(strategy, barycentres, 2000.0, next);
     return CompareBorders(mesh, LocateAll(*first, barycentres), LocateAll(*second, barycentres)).GetShare();
   };
   const double turned = share(0, 1);
@@ -117,7 +107,7 @@ TEST(KdPartition, ALeafIsAsFullInTheMeanAsItsSharesSay)
   vtkNew<vtkMTKdPartition> strategy;
   for (const int level : { 0, 1 })
   {
-    const Figures figures = Measure(*Build(strategy, barycentres, 300.0, level), barycentres, 300.0);
+    const Figures figures = Measure(*BuildPartition(strategy, barycentres, 300.0, level), barycentres, 300.0);
     Print("level " + std::to_string(level), figures);
     EXPECT_NEAR(figures.Mean, 1.0, 0.1);
     EXPECT_LT(figures.Largest, 2.5);
@@ -129,7 +119,7 @@ TEST(KdPartition, ASeedLiesInItsRegion)
 {
   const Points barycentres = MakeUnevenScene().GetBarycentres();
   vtkNew<vtkMTKdPartition> strategy;
-  const auto partition = Build(strategy, barycentres, 100.0, 0);
+  const auto partition = BuildPartition(strategy, barycentres, 100.0, 0);
   for (std::uint32_t region = 0; region < partition->GetNumberOfRegions(); ++region)
   {
     EXPECT_EQ(partition->Locate(partition->GetSeed(region)), region);
@@ -144,7 +134,7 @@ TEST(KdPartition, IsPlacedFasterThanVoronoiRegions)
   const auto measure = [&](const vtkMTPartitionStrategy* strategy)
   {
     const double start = GetSeconds();
-    const auto partition = Build(strategy, barycentres, 1000.0, 0);
+    const auto partition = BuildPartition(strategy, barycentres, 1000.0, 0);
     const Regions regions = LocateAll(*partition, barycentres);
     const double seconds = GetSeconds() - start;
     std::cout << strategy->GetStrategyName() << ": " << partition->GetNumberOfRegions() << " regions, "
